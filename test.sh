@@ -92,6 +92,7 @@ else
   ! full || how=--test
   packaging/cross.sh $how all || code=$?
   case $code in 0) passed=$((passed + 1)) ;; 77) skipped=$((skipped + 1)) ;; *) failed=$((failed + 1)) ;; esac
+  ! full || check packaging/cross.sh --smoke i686  # 32 bits
 
   stage "clang: address and undefined behaviour sanitizers"
   if full; then

@@ -10,6 +10,7 @@ import sys
 CONTACT = {f'roughcontact/{name}.h' for name in ('roughcontact', 'history', 'derivatives', 'direct', 'analysis', 'ranks', 'registry')}
 PUBLIC = CONTACT | {f'roughcontact/{name}' for name in ('mpi.h', 'plugin.h', 'surface.h', 'formats.h', 'plugin.hpp')}
 HAAR_CG = {f'solvers/haar_cg{part}' for part in ('', '/iteration', '/tree', '/near')}
+STEP = {f'contact{part}' for part in ('', '/surface', '/memory', '/sparse', '/proof', '/step')}
 LAYERS = {  # folder under src: folders it may include, each without the folders below it that stand here themselves
     'platform': {'platform'},
     'core': {'core', 'platform'},
@@ -26,30 +27,17 @@ LAYERS = {  # folder under src: folders it may include, each without the folders
     'solvers/haar_cg/near': {'solvers', *HAAR_CG, 'solvers/haar_cg/threads', 'core'},
     'solvers/haar_cg/plain': {'solvers/haar_cg/iteration', 'solvers/haar_cg/tree', 'solvers/haar_cg/plain'},
     'solvers/haar_cg/threads': {'solvers', 'solvers/common', 'solvers/haar_cg/threads', 'core', *HAAR_CG},
-    'contact': {'contact', 'solvers', 'solvers/common', *HAAR_CG, 'operator', 'registry', 'kernel', 'grid', 'core', 'platform'},
-    'abi': {'abi', 'analysis', 'contact', 'solvers', 'operator', 'registry', 'kernel', 'core'},
-}
-NARROW = {  # files under src, by a pattern: beginnings of all that they may include of this tree
-    'solvers/haar_cg/iteration/machine.h': (),
-    'solvers/haar_cg/iteration/task.h': (),
-    'solvers/haar_cg/iteration/known_loads.h': ('core/by_value.h',),
-    'solvers/haar_cg/iteration/sought_load.h': ('core/by_value.h',),
-    'solvers/haar_cg/iteration/pace.h': ('core/by_value.h',),
-    'solvers/haar_cg/iteration/precision.h': ('core/by_value.h',),
-    'solvers/haar_cg/iteration/interval.h': ('solvers/haar_cg/iteration/pace.h',),
-    'solvers/haar_cg/iteration/newton_slope.h': ('core/by_value.h',),
-    'solvers/haar_cg/iteration/progress.h': (),
-    'solvers/haar_cg/iteration/iteration.h': ('core/by_value.h', 'solvers/haar_cg/iteration/machine.h', 'solvers/haar_cg/iteration/task.h', 'solvers/haar_cg/iteration/known_loads.h',
-                                    'solvers/haar_cg/iteration/sought_load.h', 'solvers/haar_cg/iteration/pace.h',
-                                    'solvers/haar_cg/iteration/precision.h', 'solvers/haar_cg/iteration/interval.h',
-                                    'solvers/haar_cg/iteration/newton_slope.h', 'solvers/haar_cg/iteration/progress.h'),
-    'solvers/problem.h': ('roughcontact/', 'core/own_history.h', 'core/ranks.h', 'grid/gap_values.h'),
-    'solvers/haar_cg/starts.*': ('roughcontact/', 'core/chunks.h', 'core/sums.h', 'grid/', 'solvers/problem.h', 'solvers/haar_cg/starts.h',
-                                 'solvers/haar_cg/iteration/task.h', 'solvers/haar_cg/tree/tree_inputs.h'),
-    'solvers/haar_cg/tree/tree_inputs.*': ('roughcontact/', 'solvers/haar_cg/tree/tree_inputs.h'),
-    'solvers/haar_cg/tree/tree_shape.*': ('solvers/haar_cg/tree/tree_inputs.h', 'solvers/haar_cg/tree/tree_shape.h'),
-    'contact/calls/many.*': ('roughcontact/', 'contact/workspace.h', 'contact/step/choice.h', 'contact/calls/', 'core/'),
-    'contact/history/many_check.*': ('roughcontact/', 'contact/calls/contact.h', 'contact/history/', 'core/'),
+    'contact/surface': {'contact/surface', 'operator', 'grid', 'core'},
+    'contact': {'contact', 'contact/surface', 'operator', 'registry', 'kernel', 'grid', 'core', 'platform'},
+    'contact/memory': {'contact/memory', 'contact', 'contact/surface', 'core'},
+    'contact/slopes': {'contact/slopes', 'contact/memory', 'contact', 'contact/surface', 'solvers/haar_cg/tree', 'operator', 'core'},
+    'contact/proof': {'contact/proof', 'contact/slopes', 'contact', 'contact/surface', 'kernel', 'core'},
+    'contact/sparse': {'contact/sparse', 'contact/proof', 'contact', 'contact/surface', 'grid', 'core'},
+    'contact/step': {'contact/step', 'contact/sparse', 'contact/proof', 'contact/memory', 'contact', 'contact/surface', 'operator', 'core'},
+    'contact/grids': {*STEP, 'contact/grids', 'grid', 'core'},
+    'contact/grids/goal': {*STEP, 'contact/grids/goal', 'contact/grids', 'core'},
+    'contact/calls': {*STEP, 'contact/calls', 'contact/grids/goal', 'contact/grids', 'contact/slopes', 'registry', 'core'},
+    'abi': {'abi', 'analysis', 'contact', 'contact/calls', 'contact/surface', 'solvers', 'operator', 'registry', 'kernel', 'core'},
 }
 OUTSIDE = {  # other folders: public headers they may include; besides, their own files and those of dependencies
     'backends': {'roughcontact/plugin.h', 'roughcontact/plugin.hpp'},  # and backends/common, which includes no backend
@@ -64,9 +52,9 @@ OUTSIDE = {  # other folders: public headers they may include; besides, their ow
 # What a folder outside src takes from it: headers alone, but for grid, platform, core/text.h and HAAR.
 # The parts of haar-cg that need no other part of the library: plugins that run its iteration on a machine of their own compile them.
 HAAR = {'solvers/problem.h', 'solvers/haar_cg/iteration/iteration.h', 'solvers/haar_cg/starts.h', 'solvers/haar_cg/tree/tree_inputs.h',
-        'solvers/haar_cg/tree/tree_shape.h'}
+        'solvers/haar_cg/tree/tree_shape.h', 'solvers/haar_cg/tree/algebra.inc'}
 BESIDE = {'core', 'abi/own_guard.h', 'abi/sized_struct.h'}
-BORROWED = {'surface': BESIDE | {'grid'}, 'formats': BESIDE | {'platform'}, 'tools': {'core/text.h', 'platform'}, 'backends': {'platform', 'core/certificate_terms.h'} | HAAR}
+BORROWED = {'surface': BESIDE | {'grid'}, 'formats': BESIDE | {'platform'}, 'tools': {'core/text.h', 'platform'}, 'backends': {'platform', 'core/certificate_terms.h', 'core/start_terms.h'} | HAAR}
 WITHIN = {('cuda_host', 'cuda/tables.h')}  # one plugin, built twice
 EXCEPTIONS = {('src/registry/builtin.cpp.in', 'backends/known.def')}  # a list of names
 
@@ -79,9 +67,6 @@ def layer(path):
 def allowed(root, file, include, quoted):
     top, folder, *_ = file.parts
     inside = '/'.join(file.parts[1:])
-    ours = quoted or include in PUBLIC
-    if top == 'src' and any(ours and file.match(where) and not include.startswith(may) for where, may in NARROW.items()):
-        return False
     if include in PUBLIC:
         return include in OUTSIDE.get(top, PUBLIC)
     if top == 'src':

@@ -1,15 +1,14 @@
 """A case in a process of its own: its peak memory is its own, and its end gives everything back. Clocks and memory of processes."""
 import ctypes
-import json
 import math
+import multiprocessing
 import os
 import resource
-import select
-import signal
 import sys
 import time
 
 MOST_REPEATS = 20
+FORK = multiprocessing.get_context('fork')
 
 
 class Failure(Exception):
@@ -33,46 +32,31 @@ def in_child(work, limit=None, cores=None):
     sys.stdout.flush()
     sys.stderr.flush()
     ctypes.CDLL(None).malloc_trim(0)  # so that the memory of a case counts and is not taken from what an earlier one left
-    answers, ours = os.pipe()
-    child = os.fork()
-    if child == 0:
-        os.close(answers)
-        run_child(work, ours, cores)
-    os.close(ours)
-    text, until = b'', time.monotonic() + limit if limit else None
-    with os.fdopen(answers, 'rb', buffering=0) as pipe:
-        while True:
-            if until and not select.select([pipe], [], [], max(0, until - time.monotonic()))[0]:
-                os.kill(child, signal.SIGKILL)
-                os.waitpid(child, 0)
-                return {'error': 'over the limit'}
-            part = pipe.read(1 << 20)
-            if not part:
-                break
-            text += part
-    status = os.waitpid(child, 0)[1]
-    if os.WIFSIGNALED(status):
-        return {'error': f'killed by signal {os.WTERMSIG(status)}'}
-    return json.loads(text) if text else {'error': 'the child process wrote no answer'}
+    answers, ours = FORK.Pipe(duplex=False)
+    child = FORK.Process(target=run_child, args=(work, ours, cores))
+    child.start()
+    ours.close()
+    try:
+        if answers.poll(limit):
+            return answers.recv()
+        child.kill()
+        return {'error': 'over the limit'}
+    except EOFError:
+        return {'error': 'the process died'}
+    finally:
+        child.join()
 
 
 def run_child(work, answers, cores):
+    allowed = sorted(os.sched_getaffinity(0))
+    if cores and len(allowed) > cores:
+        os.sched_setaffinity(0, allowed[:cores])
+    os.dup2(2, 1)  # what is printed here is no answer
     try:
-        allowed = sorted(os.sched_getaffinity(0))
-        if cores and len(allowed) > cores:
-            os.sched_setaffinity(0, allowed[:cores])
-        os.dup2(2, 1)  # what is printed here is no answer
-        try:
-            answer = plain(work())
-        except Exception as error:  # whatever it is, the measurements go on
-            answer = {'error': str(error) or type(error).__name__}
-            if isinstance(error, ImportError):
-                answer['missing'] = True
-        with os.fdopen(answers, 'w') as out:
-            json.dump(answer, out)
-        sys.stderr.flush()
-    finally:
-        os._exit(0)
+        answers.send(plain(work()))
+    except Exception as error:  # whatever it is, the measurements go on
+        answers.send({'error': str(error) or type(error).__name__, **({'missing': True} if isinstance(error, ImportError) else {})})
+    os._exit(0)  # without the end of libraries, which may wait for threads that are not here
 
 
 def checked(answer):

@@ -8,7 +8,6 @@ STYLES = ['lc rgb "#000000" dt 1 pt 7', 'lc rgb "#D55E00" dt (12,4) pt 9', 'lc r
 FILTERS = {'subsample': 'pt 9 lc rgb "#D55E00"', 'mean': 'pt 5 lc rgb "#0072B2"', 'max': 'pt 13 lc rgb "#E69F00"'}  # of cascades
 OPEN_MARKERS = [6, 8, 4, 12, 10, 14]  # the same shapes, hollow
 PROPORTIONAL = 'lw 1.2 lc rgb "#888888" dt (2,4)'
-TARGET = 'lines lw 1 lc rgb "#AA0000" dt 1'
 
 HEAD = '''set terminal pngcairo size {width},{height} font "DejaVu Sans,11" linewidth 1.2
 set output "{file}"

@@ -102,10 +102,8 @@ def difference(a, b):
 
 
 def record_of(result):
-    same = ('approach', 'load', 'kkt_primal', 'kkt_dual', 'kkt_complementarity', 'kkt_control', 'solver', 'backend', 'kernel', 'note',
-            'points', 'candidates', 'modelled', 'contacts', 'iterations')
-    return {'status': status_of(result), **{key: getattr(result, key) for key in same}, 'products': result.products,
-            'solve_seconds': result.seconds}
+    same = 'solver', 'backend', 'candidates', 'modelled', 'contacts', 'iterations', 'products', 'residual'
+    return {'status': status_of(result), **{key: getattr(result, key) for key in same}, 'solve_seconds': result.seconds}
 
 
 def cold_call(system, gap, options, control, target, pressure=None):
@@ -133,7 +131,7 @@ def time_solve(system, gap, options, budget, control, target, pressure=None):
     """(result, record) of the fastest of several cold solves; set-up is what the whole call took besides the solve."""
     found = repeats(lambda: cold_call(system, gap, options, control, target, pressure), budget)
     result, seconds, cpu = min(found, key=lambda each: each[1])
-    return result, {**record_of(result), 'setup_seconds': max(0.0, seconds - result.seconds), 'cpu_seconds': cpu, 'repeats': len(found)}
+    return result, {**record_of(result), 'setup_seconds': max(0.0, seconds - result.seconds), 'cpu_seconds': cpu}
 
 
 FILTERS = ('subsample', 'mean', 'max')  # what a coarse point takes from its four heights

@@ -2,7 +2,6 @@
 import os
 import shutil
 import subprocess
-import time
 
 import failures_tables
 import paper_pictures
@@ -13,7 +12,8 @@ import physics
 import ranks_tables
 import speed_accuracy_tables
 from options import folder, question
-from store import library_hash, load
+from json_tables import load
+from store import library_hash
 from tables import fill
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
@@ -25,7 +25,7 @@ class Remake:
 
     def __init__(self, name, request):
         build = os.environ['RC_BENCH_BUILD']
-        self.request, self.begun, self.program = request, time.monotonic(), os.path.join(build, 'bin', 'roughcontact-bench')
+        self.request, self.program = request, os.path.join(build, 'bin', 'roughcontact-bench')
         self.results, self.images, self.page = (os.path.join(ROOT, *place) for place in (('bench', 'results'), ('docs', 'images'), ('docs', f'{name}.md')))
         if request.quick:  # instead of the source tree
             self.results = self.images = os.path.join(build, f'{name}-quick')
@@ -33,21 +33,14 @@ class Remake:
             self.page = shutil.copy(self.page, self.results)
         self.exported = os.path.join(self.results if request.quick else build, 'scenes')
         self.quick = ['--quick'] if request.quick else []
-        self.threads = self.given('threads', request.threads)
+        self.threads, self.surfaces = self.given('threads', request.threads), self.given('surfaces', request.surfaces)
 
     @staticmethod
     def given(name, value):
         return [f'--{name}', str(value)] if value else []
 
-    def left(self):
-        """Seconds of the budget."""
-        return 60 * self.request.budget - (time.monotonic() - self.begun)
-
     def run(self, command, *options, into=None):
         """A sub-command whose results go into RESULTS/into.json."""
-        if self.left() <= 0:
-            print(f'the budget is spent: {command} is left out')
-            return
         print(f'== {command} {" ".join(options)}', flush=True)
         subprocess.run([self.program, command, *options, '--json', os.path.join(self.results, f'{into or command}.json')], check=True)
 
@@ -58,15 +51,9 @@ class Remake:
         else:
             self.run(command, *options)
 
-    def rows(self, *options):
-        """Rows of the scaling table, each kept as soon as it is there."""
-        self.run('scaling', '--time-limit', f'{max(self.left(), 1):.0f}', *options)
-
     def finish(self, sections, pictures):
-        if pictures and shutil.which('gnuplot'):
+        if pictures:
             pictures(self.results, self.images)
-        elif pictures:
-            print('no gnuplot: the pictures stay as they are')
         fill(self.page, sections(self.results))
         print(f'written: {self.page}')
 
@@ -75,52 +62,29 @@ def one_question(command, quick=True):
     return lambda remake: remake.run(command, *(remake.quick if quick else []), *remake.threads)
 
 
-def measure_failures(remake):
-    remake.run('failures', *remake.given('surface', remake.request.surface))
-    remake.run('histories', '--seeds', '1,2', *remake.threads)
-
-
-def measure_ranks(remake):
-    limit = ['--budget', f'{max(remake.left() / 60, 1):.0f}'] if remake.request.budget < 1e5 else []
-    remake.run('ranks', *remake.quick, *limit)
+def measure_performance(remake):
+    if remake.quick:
+        remake.run('scaling', '--sizes', '128,256', '--percents', '0.1,10', '--budget', '0')
+        for command, *options in (('products', '--sizes', '128'), ('batch', '--surfaces', '5', '--points', '32', '--steps', '3'), ('mapped',)):
+            remake.once(command, '--quick', *options)
+        return
+    single = '--controls', 'load', '--budget', '0'
+    remake.run('scaling', '--sizes', '128,256,512,1024,2048,4096', '--percents', '10,0.1,1,40')
+    for command, *options in (('products', '--sizes', '512,1024,2048,4096'), ('mapped',), ('batch',)):
+        remake.once(command, *options)
+    remake.run('scaling', '--sizes', '1024,2048,4096,8192,16384', '--percents', '0.04,10', '--precision', 'single', '--tol', '1e-4', *single)
+    remake.run('scaling', '--sizes', '8192,16384', '--percents', '0.1,10', *single)
+    remake.run('peers', '--only', 'ours,baseline', '--sizes', '512,1024,2048,4096', '--percents', '10')
 
 
 def measure_paper(remake):
-    given, request = remake.given, remake.request
-    remake.run('paper', *remake.quick, *given('figure', request.figures), *remake.threads, *given('surfaces', request.surfaces))
-
-
-def measure_performance(remake):
-    """The most important first."""
-    if remake.quick:
-        remake.rows('--sizes', '128,256', '--percents', '0.1,10', '--budget', '0')
-        for command, *options in (('products', '--sizes', '128'), ('limits', '--sizes', '128'), ('busy', '--points', '128'),
-                                  ('deterministic', '--points', '128'), ('batch', '--surfaces', '5', '--points', '32', '--steps', '3')):
-            remake.once(command, '--quick', *options)
-        remake.once('dilute', '--sizes', '256', '--contacts', '1', '--threads', '1', '--budget', '0')
-        remake.once('mapped', '--quick')
-        return
-    single = '--controls', 'load', '--budget', '0'
-    remake.rows('--sizes', '128,256,512,1024,2048,4096', '--percents', '10,0.1,1,40')
-    for command, *options in (('busy',), ('deterministic',), ('products', '--sizes', '512,1024,2048,4096'), ('limits',), ('passes',), ('dilute',)):
-        remake.once(command, *options)
-    remake.rows('--sizes', '1024,2048,4096,8192,16384', '--percents', '0.04,10', '--precision', 'single', '--tol', '1e-4', *single)
-    remake.once('mapped')
-    remake.once('batch')
-    remake.once('profile')
-    remake.rows('--sizes', '8192,16384', '--percents', '0.1,10', *single)
-    try:
-        remake.run('peers', '--only', 'ours,baseline', '--sizes', '512,1024,2048,4096', '--percents', '10', '--budget',
-                   f'{max(remake.left() / 60, 0):.0f}')
-    except subprocess.CalledProcessError:
-        print('the standard method is not compared')
+    remake.run('paper', *remake.quick, *remake.given('figure', remake.request.figures), *remake.threads, *remake.surfaces)
 
 
 def measure_speed_accuracy(remake):
-    same = [*remake.threads, *remake.given('surfaces', remake.request.surfaces)]
-    limit = ['--time-limit', f'{remake.left():.0f}'] if remake.request.budget < 1e5 else []
-    remake.run('pareto', *same, *remake.quick, *limit, '--export', remake.exported)
-    remake.run('goal', *same, *(['--scenes', 'hertz,self-affine', '--points', '128', '--seeds', '2', '--contacts', '10'] if remake.quick else []))
+    remake.run('pareto', *remake.threads, *remake.surfaces, *remake.quick, '--export', remake.exported)
+    small = ['--scenes', 'hertz,self-affine', '--points', '128', '--seeds', '2', '--contacts', '10']
+    remake.run('goal', *remake.threads, *remake.surfaces, *(small if remake.quick else []))
     if not remake.quick:
         remake.run('peers', '--scenes', remake.exported, *remake.threads, into='pareto')
 
@@ -130,9 +94,9 @@ DOCUMENTS = {'speed-accuracy': (measure_speed_accuracy, speed_accuracy_tables.se
              'paper': (measure_paper, paper_tables.sections, paper_pictures.pictures),
              'physics': (one_question('physics'), physics.sections, physics.pictures),
              'benchmarks': (one_question('products', quick=False), performance.product_sections, None),
-             'failures': (measure_failures, failures_tables.sections, failures_tables.pictures),
+             'failures': (lambda remake: remake.run('failures', *remake.given('surface', remake.request.surface)), failures_tables.sections, failures_tables.pictures),
              'performance': (measure_performance, performance.sections, performance.pictures),
-             'scale-out': (measure_ranks, ranks_tables.sections, ranks_tables.pictures),
+             'scale-out': (lambda remake: remake.run('ranks', *remake.quick), ranks_tables.sections, ranks_tables.pictures),
              'peers': (one_question('peers'), peers_report.sections, peers_report.pictures)}
 
 
@@ -149,5 +113,5 @@ question('documents', 'measures what documents say and show, and writes their ta
     'written': (bool, False, 'measure nothing: tables and pictures from the results that are there'),
     'surfaces': (folder, MEASURED if os.path.isdir(MEASURED) else '', 'folder with measured surfaces'),
     'surface': (str, '', 'a measured surface for the failure atlas'), 'figures': (str, '', 'of the paper, 4,6 and the like; all'),
-    'threads': (int, 0, 'threads; 0: what each sub-command takes by itself'), 'budget': (float, 1e6, 'minutes after which nothing begins')},
+    'threads': (int, 0, 'threads; 0: what each sub-command takes by itself')},
     quick_text='small cases, into folders of the build instead of the source tree', names=tuple(DOCUMENTS))

@@ -1,18 +1,14 @@
-"""Tables and the picture of docs/failures.md, from failures.json and histories.json."""
+"""Tables and the picture of docs/failures.md, from failures.json."""
 import os
 
 from charts import FILTERS, Panels, axes, style, ticks
-from samples import chosen, groups, mean_of, solved, values_of
-from store import load
+from samples import chosen, groups, mean_of, values_of
+from json_tables import load
 from tables import error, provenance, records, table
 
 ATLAS = 'method={row}; trigger; what happens={happens}; detected as={detected}; what the library does={library}'
-GP = 'kernel; step length={lipschitz}; restart; iterations; products; status'
-ADMM = 'rho; iterations; residual={residual:err}; status'
 CMR = ('surface; sub-sampled [%]={subsample:%.2f}; mean [%]={mean:%.2f}; max [%]={max:%.2f}; unresolved={unresolved:.2f}; trustworthy; '
        'certified={certified:err}; rounds; candidates kept [%]={kept:%.0f}')
-HISTORIES = ('solver=`{solver}`; grid, backend={n}², {backend}; surfaces; cold products={cold_products:.0f}; warm products={warm_products:.0f}; '
-             'warm / cold={ratio:.2f}; load difference={load_difference:err}; status')
 
 
 def percent(value):
@@ -43,33 +39,14 @@ def cmr_table(rows):
     return records(CMR, lines)
 
 
-def conditioning_table(rows):
-    solvers, lines = list(dict.fromkeys(row['solver'] for row in rows)), []
-    for (scene,), line in groups(rows, 'scene').items():
-        found = {r['solver']: str(r['iterations']) if r['status'] == 'RC_OK' else r['status'] for r in line}
-        lines.append([scene, *(found.get(solver, '') for solver in solvers), error(max(r['difference'] for r in solved(line)))])
-    return table(['problem', *solvers, 'largest error of p'], lines)
-
-
-def history_table(rows):
-    lines = []
-    for _, found in groups([row for row in rows if 'error' not in row], 'solver', 'backend').items():
-        lines.append({**found[0], **{key: mean_of(found, key) for key in ('cold_products', 'warm_products', 'ratio')}, 'surfaces': len(found),
-                      'load_difference': max(r['load_difference'] for r in found), 'status': ', '.join(values_of(found, 'status'))})
-    return records(HISTORIES, lines)
-
-
 def sections(results):
-    failures = load(results, 'failures')
-    data = failures['data']
-    return {'provenance': provenance(failures), 'atlas': records(ATLAS, failures['atlas']), 'greedy': greedy_table(data['greedy']),
-            'inverse': by_points(data['inverse'], lambda row: f'{row["coupling"]:+.1e}'), 'cmr': cmr_table(data['cmr']),
-            'gp': records(GP, data['gp']), 'admm': records(ADMM, data['admm']), 'conditioning': conditioning_table(data['conditioning']),
-            'histories': history_table(load(results, 'histories')['histories'])}
+    data = load(results, 'failures')
+    return {'provenance': provenance(data), 'atlas': records(ATLAS, data['atlas']), 'greedy': greedy_table(data['greedy']),
+            'inverse': by_points(data['inverse'], lambda row: f'{row["coupling"]:+.1e}'), 'cmr': cmr_table(data['cmr'])}
 
 
 def pictures(results, images):
-    data = load(results, 'failures')['data']
+    data = load(results, 'failures')
     drawing, curves, entries = Panels(800, 530, 2, 1, 150), [], []
     drawing.script.append('unset logscale\nset format "%g"\n')
     for number, (kernel,) in enumerate(groups(data['greedy'], 'kernel')):

@@ -9,8 +9,8 @@ import roughcontact
 from case import Failure
 from options import PARSER
 
-for name in ('scaling', 'limits', 'passes', 'speed_accuracy', 'goals', 'histories', 'failures', 'paper', 'physics',
-             'peers', 'stiffness', 'counts', 'rows', 'mapped', 'campaign', 'ranks', 'documents', 'store'):
+for name in ('scaling', 'products', 'small', 'speed_accuracy', 'goals', 'histories', 'failures', 'paper', 'physics',
+             'peers', 'mapped', 'ranks', 'documents'):
     importlib.import_module(name)  # each adds its sub-commands
 
 if __name__ == '__main__':

@@ -37,18 +37,15 @@ def _seconds(name, *arguments):
 
 
 def build():
-    """(compiler, build type, flags, FFTW)"""
+    """(compiler, flags, FFTW)"""
     return _call('build').decode().split('\n')
 
 
-def time_products(system, gap, approach, backend='auto', threads=1, budget=0.3, single=False, share=1.0, want=0):
-    """Products over the trial set of a gap and an approach: {'best', 'median', 'first' [s], 'count', 'points', 'contacts', 'y'}.
-    share: of the points that have pressure. want: how many values y has."""
+def time_products(system, gap, approach, backend='auto', threads=1, budget=0.3, single=False, want=0):
+    """(seconds of a product over the trial set of a gap and an approach, the product). want: how many values it has, 0: none are asked for."""
     struct, _ = system.struct()
-    times, counts, y = (C.c_double * 3)(), (C.c_int64 * 3)(), np.empty(want)
-    _call('time_products', C.byref(struct), gap, approach, backend, threads, float(budget), single, float(share), times, counts,
-          y if want else None)
-    return dict(zip(('best', 'median', 'first', 'count', 'points', 'contacts', 'y'), (*times, *counts, y)))
+    y = np.empty(want)
+    return _seconds('time_products', C.byref(struct), gap, approach, backend, threads, float(budget), single, y if want else None), y
 
 
 class PaddedProduct:
@@ -56,21 +53,12 @@ class PaddedProduct:
 
     def __init__(self, n, threads, measure, limit, single):
         self.handle = C.c_void_p()
-        self.planning_seconds = _seconds('padded_create', n, threads, measure, float(limit), single, C.byref(self.handle))
+        _call('padded_create', n, threads, measure, float(limit), single, C.byref(self.handle))
 
     def time(self, x, budget):
-        """({'best', 'median'} [s], y)"""
-        times, y = (C.c_double * 2)(), np.empty_like(x)
-        _call('padded_time', self.handle, x.size, x, float(budget), times, y)
-        return dict(zip(('best', 'median'), times)), y
-
-
-def time_triad(n, threads, budget):
-    return _seconds('time_triad', n, threads, float(budget))
-
-
-def time_transform(length, repeats, threads, budget, single):
-    return _seconds('time_transform', length, repeats, threads, float(budget), single)
+        """(seconds, y)"""
+        y = np.empty_like(x)
+        return _seconds('padded_time', self.handle, x.size, x, float(budget), y), y
 
 
 def polonsky_keer(gap, load_control, target, threads, planning_limit, wisdom, look, most=100000):

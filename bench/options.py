@@ -38,7 +38,6 @@ threads = ranged(int, 1, 1024)
 side = ranged(int, 16, 16384)
 percent = ranged(float, 0.001, 95)
 CONTROLS = one_of('approach', 'load')
-NAMED = {'solver': (str, 'auto', 'by name, or auto'), 'backend': (str, 'auto', 'by name, or auto')}
 ALL_THREADS = {'threads': (threads, THREADS, 'threads')}
 
 

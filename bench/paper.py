@@ -12,6 +12,7 @@ from contact import FILTERS, OK, cascade_note, cascade_options, cascade_verdict,
 from failures import greedy_on_draws
 from histories import History
 from options import folder, listed, one_of, question, threads
+from samples import columns
 from store import Store
 from surfaces import Scene, SurfaceClass, example_one, hertz_scene, influence, measured_scene, rough_scene
 
@@ -41,17 +42,16 @@ def first_wrong_draw(kernel, n):
 def smooth(draws, shape, kernel):
     """Shapes on which greedy elimination is said never to fail."""
     if shape == 'spheres between the points':
-        failures, deepest, draw, n, radius = 0, 0.0, random.Random(1).random, 24, 100
+        failures, draw, n, radius = 0, random.Random(1).random, 24, 100
         for _ in range(draws):  # paraboloids whose tip lies anywhere between the points, contact radii of 3 to 9 cells
             x, y = np.arange(n)[None, :] - (n / 2 - draw()), np.arange(n)[:, None] - (n / 2 - draw())
             contact = 3 + 6 * draw()
             scene = Scene(shape, (x * x + y * y) / (2 * radius), contact**2 / radius, kernel=kernel)
-            found = greedy(scene, tol=1e-10, **{'greedy.inner': 'cholesky'})
-            failures, deepest = failures + int(status_of(found) != OK), max(deepest, found.kkt_dual)
-        return {'draws': draws, 'failures': failures, 'deepest_overlap': deepest}
+            failures += status_of(greedy(scene, tol=1e-10, **{'greedy.inner': 'cholesky'})) != OK
+        return {'draws': draws, 'failures': failures}
     scene = hertz_scene(96) if shape == 'sphere' else Scene(shape, np.zeros((20, 20)), 1.0)
     found = greedy(scene.but(kernel=kernel))
-    row = {'draws': 1, 'failures': int(status_of(found) != OK), 'status': status_of(found), 'load': found.load}
+    row = {'draws': 1, 'failures': int(status_of(found) != OK)}
     if shape == 'sphere':  # Hertz: load 4/3 E* sqrt(R d^3), for a radius of curvature of n cells
         row['load_error'] = found.load / (4 / 3 * (96 * scene.approach**3)**0.5) - 1
     return row
@@ -80,9 +80,9 @@ METHODS = {  # options, whether warm, whether on stored matrices alone: one solv
     'NNLS by blocks, warm': ({'solver': 'nnls'}, True, False), 'haar-cg, warm': ({'solver': 'haar-cg'}, True, False)}
 
 
-def step_of(result, cpu, *keys):
-    return {'mean_pressure': result.mean_pressure, 'candidates': result.candidates, 'contacts': result.contacts, 'cpu_seconds': cpu,
-            **{key: getattr(result, key) for key in keys}}
+def shown_steps(found, shown, *keys):
+    """Values of all steps by their keys, of a history that a picture shows."""
+    return {'steps': {'cpu_seconds': [cpu for _, cpu in found], **{key: [getattr(result, key) for result, _ in found] for key in keys}}} if shown else {}
 
 
 def worst_status(steps):
@@ -93,15 +93,12 @@ def loading(levels, backend, kernel, most, threads, setting, method, seed):
     """Figure 4: steps with up to `most` candidates of one loading history."""
     options, warm, _ = METHODS[method]
     history = History(levels, 0.7, seed, 10)
-    last = history.approaches[-1]
     history.approaches = fitting = [approach for approach in history.approaches if np.count_nonzero(history.gap < approach) <= most]
     found = history.run({'backend': backend, 'kernel': kernel, 'tol': 1e-8, 'max_iter': 100000, 'bounds': 0, 'threads': threads, 'time_limit': 60,
                          **options}, warm)
-    steps = [{'approach': result.approach / (fitting or [last])[-1], **step_of(result, cpu, 'iterations', 'products'),
-              'status': status_of(result)} for result, cpu in found]
-    return {'points_a_side': history.n, 'backend': backend, 'kernel': kernel, 'rms_height': history.gap.std(), 'steps_of_ten': len(fitting),
-            **{key: sum(step[key] for step in steps) for key in ('cpu_seconds', 'products', 'iterations')},
-            'status': worst_status(found), 'steps': steps}
+    return {'points_a_side': history.n, 'rms_height': history.gap.std(), 'steps_of_ten': len(fitting), 'cpu_seconds': sum(cpu for _, cpu in found),
+            'products': sum(result.products for result, _ in found), 'status': worst_status(found),
+            'largest': max((result.candidates for result, _ in found), default=0), **shown_steps(found, seed == 1, 'mean_pressure')}
 
 
 def figure_4(request):
@@ -179,7 +176,7 @@ def algorithm_2(scene, most, kernel, variant):
                 stopped = {'stopped': iterations, 'residual_at_stop': residual}
             all_points = now
         lowest = p.min() / np.abs(p).max()
-    return {'candidates': u.size, 'iterations': iterations, 'most': most, 'residual': least, 'lowest_pressure': lowest, **stopped}
+    return {'iterations': iterations, 'residual': least, 'lowest_pressure': lowest, **stopped}
 
 
 def algorithm_2_plan(request):
@@ -203,7 +200,7 @@ def inner_solver(levels, n, inner, seed):
 
     found = repeats(one, 0.3)
     cpu, storing, results = zip(*found)
-    row = {**step_of(results[-1], sorted(cpu)[len(cpu) // 2], 'iterations', 'products'), 'repeats': len(found), 'status': status_of(results[-1])}
+    row = {'cpu_seconds': sorted(cpu)[len(cpu) // 2], 'iterations': results[-1].iterations}
     return {**row, 'storing_seconds': sorted(storing)[len(cpu) // 2]} if inner == 'gauss-seidel' else row
 
 
@@ -224,8 +221,8 @@ def projected(levels, pivoting, projections, seed):
     # The projections count as iterations, too, and end early where they have solved the problem.
     alone = history.run({**common, 'solver': 'gp', 'max_iter': projections}, False) if projections else []
     solves, spent = (sum(result.iterations for result, _ in found) for found in (steps, alone))
-    return {'points_a_side': history.n, 'cpu_seconds': sum(cpu for _, cpu in steps), 'solves': solves - spent, 'status': worst_status(steps),
-            'steps': [step_of(*step) for step in steps]}
+    return {'cpu_seconds': sum(cpu for _, cpu in steps), 'solves': solves - spent,
+            **shown_steps(steps, seed == 1 and pivoting == 'single', 'candidates', 'contacts')}
 
 
 def figure_6(request):
@@ -245,31 +242,29 @@ def timed(scene, options, count):
 def whole_of(scene, backend, count):
     """(result, record)"""
     whole, cpu = timed(scene, {'solver': INNER[backend], 'backend': backend}, count)
-    certified(whole)
-    return whole, {'candidates': whole.candidates, 'contacts': whole.contacts, 'whole_cpu_seconds': cpu, 'whole_products': whole.products}
+    return certified(whole), {'whole_cpu_seconds': cpu}
 
 
 def compared(scene, whole, count, *given, **more):
     """Algorithm 6 against the whole problem."""
     (plain, plain_cpu), (sound, sound_cpu) = (timed(scene, cascade_options(*given, **more, certified=each), count) for each in (0, 1))
-    note = cascade_note(sound.note)
-    return {'load_error': plain.load / whole.load - 1, 'status': status_of(plain), 'kept': note.share_at_first, 'rounds': note.rounds,
-            'cpu_seconds': plain_cpu, 'products': plain.products, 'certified_error': sound.load / whole.load - 1,
-            'certified_status': status_of(sound), 'certified_cpu_seconds': sound_cpu, 'certified_products': sound.products}
+    return {'load_error': plain.load / whole.load - 1, 'kept': cascade_note(sound.note).share_at_first, 'cpu_seconds': plain_cpu,
+            'certified_error': sound.load / whole.load - 1, 'certified_cpu_seconds': sound_cpu}
 
 
 def by_exponent(levels, count, hurst, kernel, backend, seed):
     scene = rough_scene(levels, seed, hurst).but(kernel=kernel)
     whole, row = whole_of(scene, backend, count)
     products = {'backend': backend, 'inner': INNER[backend]}
-    return {**row, **compared(scene, whole, count, **products), 'diagonal': compared(scene, whole, count, area='diagonal', **products)}
+    diagonal = compared(scene, whole, count, area='diagonal', **products)
+    return {**row, **compared(scene, whole, count, **products), 'diagonal': {key: diagonal[key] for key in ('load_error', 'kept', 'cpu_seconds')}}
 
 
 def by_radius(levels, radii, count, backend, seed):
     scene = rough_scene(levels, seed).but(kernel='eq9')
     whole, row = whole_of(scene, backend, count)
     entries = [{'h': h, **compared(scene, whole, count, 'subsample', h, backend=backend, inner=INNER[backend])} for h in radii]
-    return {**row, 'radii': entries}
+    return {**row, 'radii': columns(entries)}
 
 
 def figure_8(request):
@@ -299,9 +294,9 @@ def spectrum_of(heights, pitch, periodic):
     spectrum, law, moments = rc.surface.psd(surface), rc.surface.power_law(surface), rc.surface.analyze(surface)
     profile = heights[len(heights) // 2]
     numbers = {key: getattr(law, key) for key in ('hurst', 'hurst_error', 'slope', 'prefactor', 'q_min', 'q_max', 'q_rolloff', 'q_cutoff')}
-    return {'nx': heights.shape[1], 'ny': heights.shape[0], 'hx': pitch[0], 'hy': pitch[1], 'rms_height': moments.rms_height,
-            'rms_slope': moments.rms_slope, **numbers, 'textures': len(law.peak_q), 'q': spectrum.q, 'psd': spectrum.psd,
-            'profile': profile - profile.mean()}
+    numbers.update((name, [float(f'{value:.3e}') for value in values]) for name, values in
+                   (('q', spectrum.q), ('psd', spectrum.psd), ('profile', profile - profile.mean())))
+    return {'nx': heights.shape[1], 'ny': heights.shape[0], 'hx': pitch[0], 'rms_height': moments.rms_height, **numbers, 'textures': len(law.peak_q)}
 
 
 def classified(make, periodic, count, surface, origin):
@@ -315,10 +310,9 @@ def classified(make, periodic, count, surface, origin):
     for part in (5.0, 2.0):
         pressed = scene.but(approach=scene.gap.mean() / part)
         verdict, (whole, same) = cascade_verdict(pressed, halvings), whole_of(pressed, 'fft', count)
-        same.pop('whole_products')
+        same.update(candidates=whole.candidates, contacts=whole.contacts, halvings=halvings, **verdict)
         for kind in FILTERS:
-            found = compared(pressed, whole, count, kind, 1.5, halvings + 1)
-            cases.append({'part': part, 'filter': kind, 'halvings': halvings, **found, **same, **verdict})
+            cases.append({'part': part, 'filter': kind, **compared(pressed, whole, count, kind, 1.5, halvings + 1), **same})
     return {**row, 'cases': cases}
 
 

@@ -5,7 +5,7 @@ import os
 from charts import FILTERS, PROPORTIONAL, STYLES as LOOKS, Panels, axes, line, ticks
 from paper_tables import METHODS, measured
 from samples import chosen, median_interval, values_of
-from store import load
+from json_tables import load
 
 # A colour a family, a dash and a marker a variant.
 METHOD_LOOKS = dict(zip(METHODS, map(line, [
@@ -71,8 +71,8 @@ def figure_4(rows, file):
     drawing = Panels(800, 480, 2, 1, 110)
     for column, setting in enumerate(('dense', 'fft')):
         found = sorted(chosen(rows, setting=setting, seed=1), key=lambda r: METHODS.index(r['method']))
-        series = [[(step['mean_pressure'] * 0.01 / row['rms_height'], step['cpu_seconds']) for step in row['steps'] if step['mean_pressure'] > 0]
-                  for row in found]
+        series = [[(pressure * 0.01 / row['rms_height'], cpu) for pressure, cpu in zip(row['steps']['mean_pressure'], row['steps']['cpu_seconds'])
+                   if pressure > 0] for row in found]
         x, y = (around(values) for values in zip(*sum(series, [])))
         words = f'dense products, {found[0]["steps_of_ten"]} steps of 10' if setting == 'dense' else 'FFT products'
         drawing.panel(column, 0, f'{found[0]["points_a_side"]}² points, {words}',
@@ -105,7 +105,8 @@ def figure_5(found, file):
 
 def figure_6(found, file):
     drawing, steps = Panels(800, 460, 2, 1, 100), values_of(found, 'projections')
-    series = [(line(LOOKS[number]), [(step['candidates'], step['cpu_seconds']) for step in row['steps'] if step['contacts'] > 0])
+    series = [(line(LOOKS[number]), [(candidates, cpu) for candidates, cpu, contacts in zip(*map(row['steps'].get, ('candidates', 'cpu_seconds', 'contacts')))
+                                     if contacts > 0])
               for number, count in enumerate(steps) for row in chosen(found, projections=count, pivoting='single', seed=1)]
     x, y = (around(values) for values in zip(*sum((points for _, points in series), [])))
     drawing.panel(0, 0, 'one exchange a solve, as published', frame(x, y, 'candidates n of a step', 'CPU time of a step [s]', 'xy'),

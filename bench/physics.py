@@ -10,10 +10,11 @@ import roughcontact as rc
 
 from case import Failure
 from charts import OPEN_MARKERS, STYLES, Panels, axes, style
-from contact import OK, record_of, unit_square
+from contact import OK, status_of
 from options import ALL_THREADS, listed, question, ranged, side
 from samples import groups, solved
-from store import Store, load
+from json_tables import load
+from store import Store
 from surfaces import self_affine_gap
 from tables import provenance, records, show, table
 
@@ -61,7 +62,7 @@ class Pressed:
     def at(self, pressure, distributions):
         result = self.contact.solve(load=pressure * RMS_SLOPE, undeformed_gap=self.gap, borrow=True, check=False)
         area, cells = result.measure_area(), result.find_patches().cells
-        row = {**record_of(result), 'area': area.area, 'corrected_area': area.corrected_area, 'perimeter': area.perimeter,
+        row = {'status': status_of(result), 'products': result.products, 'area': area.area, 'corrected_area': area.corrected_area,
                'mean_gap': (self.mean - result.approach) / self.rms_height}
         if math.isfinite(result.stiffness):  # over E* times slope and nominal area, as the pressure is
             row['stiffness'] = result.stiffness * self.rms_height / RMS_SLOPE
@@ -96,8 +97,8 @@ class Summary:
             found = self.at(pressure)
             if not found:
                 continue
-            entry = {'pressure': pressure, 'surfaces': len(found), 'persson': math.erf(math.sqrt(2) * pressure)}
-            for key in ('area', 'corrected_area', 'perimeter', 'mean_gap', 'stiffness', 'patches', 'largest_patch'):
+            entry = {'pressure': pressure, 'persson': math.erf(math.sqrt(2) * pressure)}
+            for key in ('area', 'corrected_area', 'mean_gap', 'stiffness', 'patches', 'largest_patch'):
                 if all(key in row for row in found):
                     entry[key] = fmean(row[key] for row in found)
             entry['corrected_ratio'] = spread([row['corrected_area'] / pressure for row in found])
@@ -121,7 +122,7 @@ class Summary:
                 found['stiffness_decay'].append(fmean(stiff))
         if not all(found.values()):
             return {}
-        return {'light': LIGHT, 'from': FITTED[0], 'to': FITTED[1], **{name: spread(values) for name, values in found.items()}}
+        return {'from': FITTED[0], 'to': FITTED[1], **{name: spread(values) for name, values in found.items()}}
 
     def hard(self):
         for hardness, share in ((hardness, share) for hardness in HARDNESSES for share in SHARES):
@@ -143,23 +144,23 @@ class Summary:
                 a, b = 1 / sizes[-1], 1 / sizes[-2]
                 limits = [(b * last['area'] - a * before['area']) / (b - a) for _, last, before in sets]
                 areas, corrected = ([rows[0][key] for rows in sets] for key in ('area', 'corrected_area'))
-                yield {'pressure': pressure, 'n': n, 'cells_a_wave': n / self.request.cut_off, 'surfaces': len(sets), 'area': fmean(areas),
+                yield {'pressure': pressure, 'n': n, 'cells_a_wave': n / self.request.cut_off, 'area': fmean(areas),
                        'corrected_area': fmean(corrected), 'raw_error': fmean(area / limit - 1 for area, limit in zip(areas, limits)),
                        'corrected_error': fmean(area / limit - 1 for area, limit in zip(corrected, limits))}
 
 
-def solve(request, store, settings, n, seed, pressures, hardness=0):
+def solve(request, store, n, seed, pressures, hardness=0):
     """With a hardness in growing steps, each on the surface that those before have indented."""
     pressed, kind = None, 'capped' if hardness else 'rows'
     for pressure in pressures:
-        key = {'n': n, 'seed': seed, 'pressure': pressure, **settings, **({'hardness': hardness} if hardness else {})}
+        key = {'n': n, 'seed': seed, 'pressure': pressure, **({'hardness': hardness} if hardness else {})}
         name = f'{n}^2, surface {seed}, p/(E* slope) = {pressure:g}' + (f', hardness {hardness:g}' if hardness else '')
         if store.measured(kind, key):
             print(f'{name}: measured before', file=sys.stderr)
             continue
         pressed = pressed or Pressed(request, n, seed, n == request.points and not hardness, hardness)
         row = store.put(kind, key, pressed.at(pressure, n == request.points and not hardness and pressure in SHOWN))
-        print(f'{name}: {row["area"]:.4f} in contact, {row["solve_seconds"]:.3g} s', file=sys.stderr)
+        print(f'{name}: {row["area"]:.4f} in contact, {row["products"]} products', file=sys.stderr)
 
 
 def run(request):
@@ -168,18 +169,20 @@ def run(request):
         if 2 * request.cut_off >= n:
             raise Failure(f'a wave of 1/{request.cut_off:g} of the side needs more than two cells, a grid of {n}^2 has fewer')
     store = Store(request.json, 'physics', request.threads)
-    settings = {key: getattr(request, key) for key in ('hurst', 'roll_off', 'cut_off', 'tol')}
+    surface = {key: getattr(request, key) for key in ('hurst', 'roll_off', 'cut_off', 'tol', 'points')}
+    if store.document.setdefault('surface', surface) != surface:
+        raise Failure(f'{request.json} is of other surfaces')
     for seed in request.seeds:
-        solve(request, store, settings, request.points, seed, PRESSURES)
+        solve(request, store, request.points, seed, PRESSURES)
     for n in request.sizes:
         for seed in request.seeds[:MESH_SEEDS]:
-            solve(request, store, settings, n, seed, MESH_PRESSURES)
+            solve(request, store, n, seed, MESH_PRESSURES)
     for seed in request.seeds[:MESH_SEEDS]:
         for hardness in HARDNESSES:
-            solve(request, store, settings, request.points, seed, [share * hardness for share in SHARES], hardness)
-    found = Summary(store.rows('rows', **settings), store.rows('capped', n=request.points, **settings), request)
+            solve(request, store, request.points, seed, [share * hardness for share in SHARES], hardness)
+    found = Summary(store.rows('rows'), store.rows('capped', n=request.points), request)
     curve, fits, meshes, hard = list(found.curve()), found.fits(), list(found.meshes()), list(found.hard())
-    store.save(surface={**settings, 'points': request.points}, curve=curve, fits=fits, meshes=meshes, hard=hard)
+    store.save(curve=curve, fits=fits, meshes=meshes, hard=hard)
     print(f'Periodic self-affine surfaces on {request.points}^2 points, mean of the surfaces')
     show(CURVE, curve)
     print(fit_table({'fits': fits}) if fits else '')

@@ -73,7 +73,7 @@ def recorded(folder, n, ranks, hosts, runs, limit):
             if run >= runs:
                 return answer, done
             os.makedirs(into, exist_ok=True)
-            answer = answer_of(smpirun('fast', ranks, hosts, *solver), limit(), RC_RECORD_TO=into)
+            answer = answer_of(smpirun('fast', ranks, hosts, *solver), limit, RC_RECORD_TO=into)
             if 'error' in answer:
                 return answer, []
             with open(finished, 'w', encoding='utf-8') as out:
@@ -100,6 +100,6 @@ def simulated(n, ranks, networks, runs, records, limit):
         replay = '--cfg=smpi/simulate-computation:no', program('RC_BENCH_RANK_REPLAY', "SimGrid's SMPI"), fewest
 
         def on(network):
-            return {**told, **answer_of(smpirun(network, ranks, hosts, *replay), limit())}
+            return {**told, **answer_of(smpirun(network, ranks, hosts, *replay), limit)}
         with ThreadPoolExecutor(os.cpu_count()) as pool:  # no seconds are measured here
             return dict(zip(networks, pool.map(on, networks)))

@@ -5,7 +5,7 @@ import os
 from charts import Panels, axes, decades, style
 from ranks_model import WHOLE_SECONDS, counted_transposed
 from samples import chosen, groups
-from store import load
+from json_tables import load
 from tables import missing, provenance, records, seconds, table
 
 COMMAND = 'roughcontact-bench ranks'
@@ -82,15 +82,10 @@ def simulations(document, weak):
     return found
 
 
-def left_out(document):
-    rows = document.get('left_out', [])
-    return table(['kind', 'left out', 'why'], [[row['kind'], row['what'], row['why']] for row in rows]) if rows else 'Nothing.'
-
-
 def failed(document):
     lines = [[name, f'{row["n"]}²', str(row.get('ranks', '')), row.get('network', ''), row.get('error') or row['status']]
              for name in ('measured', 'counted', 'simulated') for row in document.get(name, []) if row.get('status') != 'RC_OK']
-    return ('\n\nFailed:\n\n' + table(['kind', 'grid', 'ranks', 'network', 'what it said'], lines)) if lines else ''
+    return table(['kind', 'grid', 'ranks', 'network', 'what it said'], lines) if lines else 'Nothing.'
 
 
 def coefficients(model):
@@ -104,14 +99,14 @@ def coefficients(model):
 def sections(results):
     document = load(results, 'ranks')
     if not document:
-        return {'picture': '', **{name: missing(COMMAND) for name in ('measured', 'counted', 'strong', 'weak', 'model', 'computed', 'left', 'provenance')}}
+        return {'picture': '', **{name: missing(COMMAND) for name in ('measured', 'counted', 'strong', 'weak', 'model', 'computed', 'failed', 'provenance')}}
     model = document.get('model', {})
     picture = '![Seconds of solves against ranks, simulated and computed](images/ranks.png)' if good(document, 'simulated') else ''
     return {'picture': picture, 'measured': records(PAIRS, pairs(document)), 'counted': records(COUNTS, counts(document)),
             'strong': records(SIMULATED, simulations(document, False)), 'weak': records(SIMULATED, simulations(document, True)),
             'model': coefficients(model) if model else missing(COMMAND),
             'computed': records(COMPUTED, [{**row, 'network': NETWORKS[row['network']]} for row in model['rows']]) if model else missing(COMMAND),
-            'left': left_out(document) + failed(document), 'provenance': provenance(document)}
+            'failed': failed(document), 'provenance': provenance(document)}
 
 
 def pictures(results, images):

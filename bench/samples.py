@@ -12,6 +12,16 @@ def chosen(rows, **values):
     return [row for row in rows if fits(row, values)]
 
 
+def columns(rows):
+    """{key: values of the rows, None where one has none}"""
+    return {key: [row.get(key) for row in rows] for key in dict.fromkeys(key for row in rows for key in row)}
+
+
+def rows_of(found):
+    """The rows of columns."""
+    return [dict(zip(found, values)) for values in zip(*found.values())]
+
+
 def groups(rows, *keys):
     """Rows by the values of keys, in order of appearance."""
     found = {}

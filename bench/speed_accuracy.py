@@ -1,16 +1,15 @@
 """Speed against accuracy: every method that makes sense, at a sequence of tolerances, and kernels and grids, against the truth."""
-import json
 import os
 import sys
-import time
 
 import numpy as np
 import roughcontact as rc
 
 from case import Progress, in_child, peak_memory, resident_memory
-from contact import names, runs, status_of, time_solve
+from contact import names, runs, time_solve
+from json_tables import lines
 from options import ALL_THREADS, folder, listed, one_of, percent, question, ranged
-from samples import total_seconds
+from samples import columns, solved, total_seconds
 from surfaces import NAMES, best_truth, make_scene, search_approach, solve_certified
 from store import Store
 
@@ -48,18 +47,12 @@ def methods_for(system, load, candidates):
 class SpeedAccuracy:
     def __init__(self, request):
         self.request, self.store = request, Store(request.json, 'pareto', request.threads)
-        self.begun, self.exports = time.monotonic(), []
-        self.measured = self.failed = self.before = self.left = 0
+        self.exports, self.measured, self.failed, self.before = [], 0, 0, 0
 
     def known(self, name, key):
         found = self.store.measured(name, key) is not None
         self.before += found
         return found
-
-    def time_is_up(self):
-        up = 0 < self.request.time_limit <= time.monotonic() - self.begun
-        self.left += up
-        return up
 
     def target_of(self, scene, contact):
         if scene.known:
@@ -68,60 +61,57 @@ class SpeedAccuracy:
         known = self.store.find('approaches', key)
         return (known or self.store.put('approaches', key, {'approach': search_approach(scene, contact, self.request.threads)}))['approach']
 
-    def solve(self, scene, target, gap, options, truths):
-        """One solve and its errors, in a process of its own. truths: by the first part of the keys of errors."""
+    def solve(self, scene, target, gap, options, truth, prefix):
+        """One solve and its errors, whose keys begin with the prefix, in a process of its own."""
         def work():
             pressure = np.full(gap.shape, 0.0)
             before = resident_memory()
             result, record = time_solve(scene.system(len(gap)), gap, options, self.request.budget, scene.control, target, pressure)
-            errors = {prefix + key: rounded(value) for prefix, truth in truths.items() for key, value in truth.errors(result).items()}
-            return {'status': record['status'], **{key: rounded(record[key]) for key in ('setup_seconds', 'solve_seconds', 'cpu_seconds')},
-                    'memory_bytes': max(peak_memory() - before, 0), 'products': result.products, 'residual': rounded(result.residual),
-                    'chosen': f'{result.solver}, {result.backend}', **errors}
+            errors = {prefix + key: rounded(value) for key, value in truth.errors(result).items()}
+            return {'status': record['status'], 'seconds': rounded(total_seconds(record)), 'memory_bytes': max(peak_memory() - before, 0), **errors}
         return in_child(work)
 
-    def sweep(self, name, key, scene, target, gap, digits, least_tol, settings, truths):
-        """One method from loose tolerances to tight ones, unless it is measured. False where the time is up."""
-        key = {**key, 'threads': self.request.threads, 'digits': digits}
+    def sweep(self, name, key, scene, target, gap, digits, least_tol, settings, *truth):
+        """One method from loose tolerances to tight ones, unless it is measured."""
+        key = {**key, 'threads': self.request.threads}
         if self.known(name, key):
-            return True
-        if self.time_is_up():
-            return False
+            return
         points, spent = [], 0
         for tol in (float(f'1e-{digit}') for digit in digits):
             if tol < least_tol or spent > self.request.method_limit:
                 break
             options = {**settings, 'tol': tol, 'threads': self.request.threads, 'time_limit': self.request.solve_limit}
-            point = {'tol': tol, **self.solve(scene, target, gap, options, truths)}
-            points.append(point)
+            point = {'tol': tol, **self.solve(scene, target, gap, options, *truth)}
             self.measured += 1
             if 'error' in point:
                 self.failed += 1
+                print(f'{key}: {point["error"]}', file=sys.stderr)
                 break
-            spent += total_seconds(point)
+            points.append(point)
+            spent += point['seconds']
             if point['status'] == 'RC_STOP_TIME':
                 break
-        self.store.put(name, key, {'points': points})
-        return True
+        memory = max((point.pop('memory_bytes') for point in points), default=0)
+        shown = [{key: value for key, value in point.items() if key != 'status'} for point in solved(points)]
+        self.store.put(name, key, {'points': columns(shown), **({'memory_bytes': memory} if name == 'methods' else {})})
 
-    def compare_methods(self, same, scene, target, exact, result, truth):
-        gap, truths = scene.gap(scene.n), {'': exact, 'true_': truth.on(scene.n)}
+    def compare_methods(self, same, scene, target, exact, result):
+        gap = scene.gap(scene.n)
         for (solver, backend, variant), options, least_tol in methods_for(scene.system(scene.n), scene.control == 'load', result.candidates):
             key = {**same, 'solver': solver, 'backend': backend, 'variant': variant}
-            if not self.sweep('methods', key, scene, target, gap, self.request.digits, least_tol, options, truths):
-                return
+            self.sweep('methods', key, scene, target, gap, self.request.digits, least_tol, options, exact, '')
 
     def compare_grids(self, same, scene, target, truth):
         """Every kernel on coarser and finer grids; tolerances with the kernel that the library takes by itself."""
         usual = 'spectral' if scene.boundary == 'periodic' else 'love'
         for points in (scene.n // 2, scene.n, 2 * scene.n):
-            gap, truths = scene.gap(points), {'true_': truth.on(points)}
+            gap = scene.gap(points)
             for kernel in names(rc.kernels):
                 if (kernel == 'spectral') != (usual == 'spectral'):
                     continue
                 digits = GRID_DIGITS if kernel == usual else GRID_DIGITS[-1:]
-                if not self.sweep('grids', {**same, 'grid': points, 'kernel': kernel}, scene, target, gap, digits, 0, {'kernel': kernel}, truths):
-                    return
+                self.sweep('grids', {**same, 'grid': points, 'kernel': kernel}, scene, target, gap, digits, 0, {'kernel': kernel}, truth.on(points),
+                           'true_')
 
     def export(self, same, scene, truth):
         """Gap and certified pressures, for other codes."""
@@ -134,9 +124,9 @@ class SpeedAccuracy:
 
     def one_case(self, scene, contact, exported):
         same = {'scene': scene.name, 'contact': contact, 'n': scene.n}
-        key = {**same, 'threads': self.request.threads, 'digits': self.request.digits, 'grid_digits': GRID_DIGITS}
+        key = {**same, 'threads': self.request.threads}
         known = self.known('cases', key)
-        if (known and not exported) or (not known and self.time_is_up()):
+        if known and not exported:
             return
         target = self.target_of(scene, contact)
         exact, result = solve_certified(scene, target, scene.n, 1e-13, self.request.threads)
@@ -144,14 +134,11 @@ class SpeedAccuracy:
             self.export(same, scene, exact)
         if known:
             return
-        (truth, source), left = best_truth(scene, contact, target, self.request.threads), self.left
-        self.compare_methods(same, scene, target, exact, result, truth)
+        truth, source = best_truth(scene, contact, target, self.request.threads)
+        self.compare_methods(same, scene, target, exact, result)
         self.compare_grids(same, scene, target, truth)
-        if self.left == left:  # else it is to be gone on with
-            self.store.put('cases', key, {
-                'boundary': scene.boundary, 'control': scene.control, 'target': target, 'points': result.points, 'candidates': result.candidates,
-                'contacts': result.contacts, 'load': exact.load, 'truth': source, 'certified_status': status_of(result),
-                'certified_residual': rounded(result.residual)})
+        self.store.put('cases', key, {'points': result.points, 'candidates': result.candidates, 'contacts': result.contacts, 'truth': source,
+                                      'certified_residual': rounded(result.residual)})
 
     def run(self):
         scenes, cases = [], []
@@ -174,9 +161,8 @@ class SpeedAccuracy:
         if self.request.export:
             os.makedirs(self.request.export, exist_ok=True)
             with open(os.path.join(self.request.export, 'scenes.json'), 'w') as out:
-                json.dump(self.exports, out, indent=1)
-        print(f'{self.measured} measured, {self.failed} of them failed; {self.before} measured before' +
-              (f'; {self.left} not begun, the time is up' if self.left else ''))
+                out.write(lines({'scenes': self.exports}))
+        print(f'{self.measured} measured, {self.failed} of them failed; {self.before} measured before')
 
 
 question('pareto', 'speed against accuracy of every method, kernel and grid', lambda request: SpeedAccuracy(request).run(), {
@@ -187,7 +173,6 @@ question('pareto', 'speed against accuracy of every method, kernel and grid', la
     'surfaces': (folder, '', 'folder with measured surfaces'), **ALL_THREADS,
     'budget': (float, 0.1, 'seconds for repeats of each solve'), 'solve_limit': (float, 2, 'seconds for one solve; 0: none'),
     'method_limit': (float, 4, 'seconds after which a method goes on to no tighter tolerance'),
-    'time_limit': (float, 0, 'seconds after which nothing begins; 0: none'),
     'export': (str, '', 'write gaps and certified pressures into this folder, for other codes')},
     {'scenes': ['hertz', 'self-affine'], 'contacts': [10], 'digits': [2, 4, 8], 'points': 64, 'budget': 0, 'method_limit': 1},
     'a sphere and a rough surface on 64^2, three tolerances')

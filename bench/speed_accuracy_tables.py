@@ -3,9 +3,9 @@ import os
 
 from charts import Panels, axes, decades, line, style, ticks
 from goals import goal_section
-from samples import chosen, groups, median, solved, total_seconds
+from samples import chosen, groups, median, rows_of
 from surfaces import MEASURED, TITLES
-from store import load
+from json_tables import load
 from tables import error, provenance, table
 
 USUAL_KERNELS = ('love', 'spectral')
@@ -39,14 +39,13 @@ def of_case(document, part, case):
 
 def lines(document, case):
     """Certified points of every method by its name, from loose to tight."""
-    found = {name_of(row): solved(row['points']) for row in of_case(document, 'methods', case)}
-    return {name: points for name, points in found.items() if points}
+    return {name_of(row): rows_of(row['points']) for row in of_case(document, 'methods', case) if row['points']}
 
 
 def grids(document, case, usual=True):
     """{(grid, kernel): certified points}; errors in keys that begin with true_."""
-    return {(row['grid'], row['kernel']): solved(row['points']) for row in of_case(document, 'grids', case)
-            if solved(row['points']) and (row['kernel'] in USUAL_KERNELS or not usual)}
+    return {(row['grid'], row['kernel']): rows_of(row['points']) for row in of_case(document, 'grids', case)
+            if row['points'] and (row['kernel'] in USUAL_KERNELS or not usual)}
 
 
 def grid_error(document, case, key):
@@ -68,7 +67,7 @@ def front(points):
 
 def time_to(points, level, key='pressure_error'):
     """Seconds of the fastest point with an error of at most level, or None."""
-    times = [total_seconds(point) for point in points if point[key] <= level]
+    times = [point['seconds'] for point in points if point[key] <= level]
     return min(times) if times else None
 
 
@@ -122,9 +121,8 @@ def against(document, name, other, level, wanted=lambda case: True):
 def bytes_per_point(document, name):
     found = []
     for case in cases(document):
-        points = lines(document, case).get(name)
-        if points and case['points'] >= 128**2:
-            found.append(max(point['memory_bytes'] for point in points) / case['points'])
+        found += [row['memory_bytes'] / case['points'] for row in of_case(document, 'methods', case)
+                  if name_of(row) == name and row['points'] and case['points'] >= 128**2]
     return found
 
 
@@ -183,8 +181,8 @@ def grid_table(document):
         cells = [error(by_tol[tol]['true_pressure_error']) for tol in (1e-2, 1e-4, 1e-6) if tol in by_tol]
         finer = next((point for point in sides[2 * n] if point['tol'] == 1e-4), sides[2 * n][-1])
         rows.append([f'{TITLES[scene]}, {n}²', *cells, error(finer['true_pressure_error']),
-                     f'{total_seconds(by_tol[1e-6]) / total_seconds(by_tol[1e-4]):.1f}',
-                     f'{total_seconds(finer) / total_seconds(by_tol[1e-4]):.1f}'])
+                     f'{by_tol[1e-6]["seconds"] / by_tol[1e-4]["seconds"]:.1f}',
+                     f'{finer["seconds"] / by_tol[1e-4]["seconds"]:.1f}'])
     return table(['scene, 10 %', 'pressure error at tol 1e-2', '1e-4', '1e-6', '1e-4, twice the points a side', 'time, 1e-6 over 1e-4',
                   'time, finer grid over this one'], rows) if rows else 'Not measured yet.'
 
@@ -282,7 +280,7 @@ AXES = {'load_error': 'load', 'pressure_error': 'pressure', 'true_load_error': '
 
 def clipped(points, key):
     """(time, error)"""
-    return [(total_seconds(point), max(point[key], LEAST)) for point in points]
+    return [(point['seconds'], max(point[key], LEAST)) for point in points]
 
 
 def errors_panel(drawing, document, place, case, key, names):
@@ -295,7 +293,7 @@ def errors_panel(drawing, document, place, case, key, names):
     curves = [drawing.curve(front(clipped(sum(known.values(), []), key)), FRONT)]
     curves += [drawing.curve(clipped(points, key), LOOKS[name]) for name, points in drawn.items()]
     curves += [drawing.curve(clipped(points, key), PEERS[code][1]) for code, points in peers.items()]
-    times = decades([total_seconds(point) for points in [*drawn.values(), *peers.values()] for point in points])
+    times = decades([point['seconds'] for points in [*drawn.values(), *peers.values()] for point in points])
     band = (f'set ytics 1e-14,100,1\nset object 1 rectangle from graph 0,0 to graph 1,first {max(grid_error(document, case, key) or 0, LEAST)!r} '
             f'fc rgb "{BAND}" fs solid 0.6 noborder behind')
     drawing.panel(*place, f'{title_of(case)}: {AXES[key]}', axes('set-up and solve [s]', 'relative error', times, (LEAST, 1), band), curves)

@@ -1,7 +1,6 @@
-"""One JSON file a benchmark: its provenance, and lists of records that are found by the values of some keys. It is written whole after
-every record, so that an interrupted run goes on where it stopped."""
+"""One JSON file a benchmark, a line a record: its provenance, and tables of records that are found by the values of some keys. It is written
+whole after every record, so that an interrupted run goes on where it stopped."""
 import hashlib
-import json
 import os
 import time
 
@@ -9,7 +8,7 @@ import roughcontact
 
 import native
 from case import Failure, plain
-from options import THREADS, question
+from json_tables import lines, read, rounded
 from samples import chosen, fits
 
 
@@ -25,14 +24,14 @@ def library_hash():
 
 
 def provenance(threads):
-    compiler, kind, flags, fftw = native.build()
+    compiler, flags, fftw = native.build()
     with open(os.path.join(os.environ['RC_BENCH_BUILD'], 'commit'), encoding='utf-8') as text:
         commit = text.read().strip()
     with open('/proc/cpuinfo') as info:
         cpu = next((line.split(':', 1)[1].strip() for line in info if line.startswith('model name')), 'unknown')
     return {'date': time.strftime('%Y-%m-%dT%H:%M:%SZ', time.gmtime()), 'version': '.'.join(map(str, roughcontact.version())),
-            'commit': commit, 'library': library_hash(), 'compiler': compiler, 'build_type': kind, 'flags': flags, 'fftw': fftw,
-            'cpu': cpu, 'cpu_threads': os.cpu_count(), 'threads': threads, 'load_average_at_start': os.getloadavg()[0]}
+            'commit': commit, 'library': library_hash(), 'compiler': compiler, 'flags': flags, 'fftw': fftw,
+            'cpu': cpu, 'threads': threads, 'load_average_at_start': os.getloadavg()[0]}
 
 
 class Store:
@@ -41,8 +40,7 @@ class Store:
     def __init__(self, file, benchmark, threads):
         self.file, self.document = file, {}
         if file and os.path.exists(file):
-            with open(file, encoding='utf-8') as text:
-                self.document = json.load(text)
+            self.document = read(file)
             if self.document.get('benchmark') != benchmark:
                 raise Failure(f'{file} is no result of this benchmark; give another name, or remove it')
         self.document.update(benchmark=benchmark, provenance=provenance(threads))
@@ -79,18 +77,5 @@ class Store:
             return
         os.makedirs(os.path.dirname(os.path.abspath(self.file)), exist_ok=True)
         with open(self.file + '.part', 'w', encoding='utf-8') as out:
-            json.dump(self.document, out, indent=1, ensure_ascii=False)
-            out.write('\n')
+            out.write(lines(rounded(plain(self.document))))
         os.replace(self.file + '.part', self.file)
-
-
-def load(folder, name):
-    """The results of a benchmark; {} where it has not run."""
-    file = os.path.join(folder, name + '.json')
-    if not os.path.exists(file):
-        return {}
-    with open(file, encoding='utf-8') as text:
-        return json.load(text)
-
-
-question('provenance', 'what is measured here: library, compiler, machine, as JSON', lambda _: print(json.dumps(provenance(THREADS), indent=1)), {})

@@ -9,7 +9,6 @@ from typing import Callable, Optional
 import numpy as np
 import roughcontact as rc
 
-import native
 from contact import Scene, find_load, solve, unit_square
 
 GOLDEN = 0x9e3779b97f4a7c15
@@ -162,31 +161,6 @@ def influence(kernel, side, spacing=1):
     return table[np.abs(y[:, None] - y), np.abs(x[:, None] - x)]
 
 
-def tied_scene(n):
-    """Points with p = 0 and gap = 0: which of them are in contact is undefined, the pressures are not."""
-    numbers = iter(uniform(1, 4 * n * n).tolist())
-    p = np.array([0.5 + next(numbers) if next(numbers) < 0.4 else 0 for _ in range(n * n)])
-    u = influence('love', n) @ p
-    for i in range(n * n):  # a third of the points without pressure touch all the same
-        if p[i] == 0 and next(numbers) < 2 / 3:
-            u[i] -= 0.1 + next(numbers)
-    return Scene('ties', (u.max() - u).reshape(n, n), u.max())
-
-
-def strained_scenes(n):
-    """Well-posed problems that strain double precision: near-full contact, one point, spikes, offsets, flatness, aspect, kernel."""
-    rough = rough_scene(math.ceil(math.log2(n)), 3)
-    highest, gap = rough.gap.max(), rough.gap
-    spike = gap + 1e3 * highest
-    spike.flat[gap.size // 2 + 5] = 0
-    return [rough.but(name='rough, kernel eq9', kernel='eq9'), rough.but(name='nearly every point in contact', approach=40 * highest),
-            rough.but(name='one point touches', approach=0.5 * np.sort(gap, axis=None)[1]),
-            rough.but(name='a spike of 1e3 times the roughness', gap=spike, approach=1e3 * highest + rough.approach),
-            rough.but(name='heights around 1e6 times the roughness', gap=gap + 1e6 * highest, approach=1e6 * highest + rough.approach),
-            rough.but(name='flat but for 1e-9 of the approach', gap=gap * 1e-9 / highest, approach=1),
-            rough.but(name='cells 100 times as long as wide', pitch=(100.0, 1.0))]
-
-
 HEIGHT = 0.01  # of waves, and the depth of the punch
 CAPACITY = 0.36679  # of the unit square (Read 1997)
 MEASURED = {  # title, and file below the folder of measured surfaces
@@ -211,10 +185,9 @@ class Truth:
         return replace(self, pressure=block_means(self.pressure, n))
 
     def errors(self, result):
-        """Relative errors: of load and contact area, and of the pressures in the L2 norm, on the same grid."""
+        """Relative errors: of the load, and of the pressures in the L2 norm, on the same grid."""
         off = np.linalg.norm(result.pressure - self.pressure) / np.linalg.norm(self.pressure)
-        return {'load_error': abs(result.load / self.load - 1), 'area_error': abs(result.contact_area / self.area - 1),
-                'pressure_error': float(off)}
+        return {'load_error': abs(result.load / self.load - 1), 'pressure_error': float(off)}
 
 
 @dataclass(frozen=True)

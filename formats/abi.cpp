@@ -21,10 +21,6 @@
 
 namespace rc {
 
-RC_FIRST_SIZE(rc_surface_read_spec, hy, 40);
-RC_FIRST_SIZE(rc_surface_file, storage, 504);
-RC_FIRST_SIZE(rc_surface_format, reserved, 48);
-
 namespace formats {
 
 namespace {

@@ -15,10 +15,10 @@ Surface read_container(std::string_view file, double unit) {
     const std::string map = archive.contents(maps.front(), most_unpacked(file.size()));
     Surface surface = read_netcdf(map, unit);
     surface.note = in_quotes(name) + " of the archive is read";
-    if (maps.size() > 1) surface.note += format(", the first of %zu measurements; unpack it for the others", maps.size());
+    if (maps.size() > 1) surface.note += join(", the first of ", maps.size(), " measurements; unpack it for the others");
     return surface;
   } catch (const Error& error) {
-    throw Error(in_quotes(name) + " in the archive: " + error.what());
+    throw Error(in_quotes(name), " in the archive: ", error.what());
   }
 }
 

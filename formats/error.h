@@ -4,10 +4,14 @@
 
 #include <stdexcept>
 
+#include "core/text.h"
+
 namespace rc::formats {
 
 struct Error : std::runtime_error {
   using std::runtime_error::runtime_error;
+  // The parts joined, as by rc::join.
+  template <class... Parts> explicit Error(const Parts&... parts) : runtime_error(join(parts...)) {}
 };
 
 }  // namespace rc::formats

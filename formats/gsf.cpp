@@ -25,8 +25,7 @@ Header parse_header(std::string_view text) {
     ++number;
     if (trimmed(line).empty()) continue;
     const auto equals = line.find('=');
-    if (equals == std::string_view::npos)
-      throw Error("header line " + std::to_string(number) + " " + in_quotes(line) + " has no '='");
+    if (equals == std::string_view::npos) throw Error("header line ", number, " ", in_quotes(line), " has no '='");
     header[trimmed(line.substr(0, equals))] = trimmed(line.substr(equals + 1));
   }
   return header;
@@ -34,10 +33,8 @@ Header parse_header(std::string_view text) {
 
 std::int64_t resolution(const Header& header, std::string_view key) {
   const auto entry = header.find(key);
-  if (entry == header.end()) throw Error("the header has no " + std::string(key));
-  const auto value = to_integer(entry->second);
-  if (!value || *value < 1) throw Error(std::string(key) + " " + in_quotes(entry->second) + " is not a whole number from 1 on");
-  return *value;
+  if (entry == header.end()) throw Error("the header has no ", key);
+  return whole_number(key, entry->second);
 }
 
 std::string_view text_of(const Header& header, std::string_view key) {
@@ -55,7 +52,7 @@ std::optional<double> pitch(const Header& header, std::string_view key, std::int
 std::optional<bool> repeats(const Header& header) {
   const auto text = text_of(header, "Periodic");
   if (text.empty()) return std::nullopt;
-  if (text != "0" && text != "1") throw Error("Periodic " + in_quotes(text) + " is neither 0 nor 1");
+  if (text != "0" && text != "1") throw Error("Periodic ", in_quotes(text), " is neither 0 nor 1");
   return text == "1";
 }
 
@@ -64,7 +61,7 @@ std::optional<bool> repeats(const Header& header) {
 Surface read_gsf(std::string_view file, double unit) {
   if (!file.starts_with(gsf_magic)) throw Error("the first line is not \"Gwyddion Simple Field 1.0\"");
   const auto end = file.substr(0, longest_header).find('\0');
-  if (end == std::string_view::npos) throw Error("the header has no end within " + std::to_string(longest_header) + " bytes");
+  if (end == std::string_view::npos) throw Error("the header has no end within ", longest_header, " bytes");
   const Header header = parse_header(file.substr(gsf_magic.size(), end - gsf_magic.size()));
 
   const std::size_t start = (end / 4 + 1) * 4;
@@ -86,10 +83,8 @@ Surface read_gsf(std::string_view file, double unit) {
 
   surface.periodic = repeats(header);
   const double vertical = file_unit("ZUnits", vertical_unit, unit);
-  surface.heights.reserve(data.size() / sizeof(float));
-  for (std::size_t at = 0; at < data.size(); at += sizeof(float)) {
-    surface.heights.push_back(vertical * static_cast<double>(stored_number<float>(data.data() + at, std::endian::little)));
-  }
+  append_numbers<float>(data, std::endian::little, surface.heights,
+                        [vertical](float z) { return vertical * static_cast<double>(z); });
   return surface;
 }
 

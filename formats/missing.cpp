@@ -2,7 +2,6 @@
 
 #include <Eigen/SparseCholesky>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 
@@ -14,44 +13,6 @@ namespace {
 
 // Most points that are filled: the factor of so many unknowns takes some gigabytes.
 constexpr std::size_t most_filled = std::size_t{1} << 23;
-
-struct Neighbour {
-  std::size_t at;
-  double weight;
-};
-
-struct Neighbours {
-  std::array<Neighbour, 4> list;
-  std::size_t count = 0;
-
-  void add(std::size_t at, double weight) { list[count++] = {at, weight}; }
-  const Neighbour* begin() const { return list.data(); }
-  const Neighbour* end() const { return list.data() + count; }
-};
-
-class Grid {
- public:
-  explicit Grid(const Surface& surface) : nx_(static_cast<std::size_t>(surface.nx)), ny_(static_cast<std::size_t>(surface.ny)) {
-    // With a ratio beyond these limits, weights would round to zero and neighbouring lines would not be connected.
-    const double ratio = std::clamp(*surface.hx / *surface.hy, 1e-4, 1e4);
-    weight_x_ = 1 / (1 + ratio * ratio);
-    weight_y_ = ratio * ratio / (1 + ratio * ratio);
-  }
-
-  Neighbours of(std::size_t i) const {
-    Neighbours found;
-    const std::size_t ix = i % nx_, iy = i / nx_;
-    if (ix > 0) found.add(i - 1, weight_x_);
-    if (ix + 1 < nx_) found.add(i + 1, weight_x_);
-    if (iy > 0) found.add(i - nx_, weight_y_);
-    if (iy + 1 < ny_) found.add(i + nx_, weight_y_);
-    return found;
-  }
-
- private:
-  std::size_t nx_, ny_;
-  double weight_x_, weight_y_;
-};
 
 }  // namespace
 
@@ -66,26 +27,35 @@ void fill_missing(Surface& surface) {
   for (std::size_t i = 0; i < z.size(); ++i) {
     if (!std::isnan(z[i])) continue;
     if (missing.size() == most_filled)
-      throw Error("more than " + std::to_string(most_filled) +
+      throw Error("more than ", most_filled,
                   " points are missing, too many to interpolate; cut the map to where it was measured");
     unknown[i] = static_cast<int>(missing.size());
     missing.push_back(i);
   }
 
-  const Grid grid{surface};
+  // With a ratio beyond these limits, weights would round to zero and neighbouring lines would not be connected.
+  const double ratio = std::clamp(*surface.hx / *surface.hy, 1e-4, 1e4);
+  const double along_x = 1 / (1 + ratio * ratio), along_y = ratio * ratio / (1 + ratio * ratio);
+  const auto nx = static_cast<std::size_t>(surface.nx), ny = static_cast<std::size_t>(surface.ny);
   const auto size = static_cast<Eigen::Index>(missing.size());
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd known = Eigen::VectorXd::Zero(size);
   for (int row = 0; row < static_cast<int>(missing.size()); ++row) {
+    const std::size_t i = missing[static_cast<std::size_t>(row)], ix = i % nx, iy = i / nx;
     double sum = 0;
-    for (const auto& [at, weight] : grid.of(missing[static_cast<std::size_t>(row)])) {
+    const auto add = [&](bool there, std::size_t at, double weight) {
+      if (!there) return;
       sum += weight;
       if (unknown[at] < 0) {
         known[row] += weight * z[at];
       } else if (unknown[at] < row) {
         entries.emplace_back(row, unknown[at], -weight);  // the lower triangle
       }
-    }
+    };
+    add(ix > 0, i - 1, along_x);
+    add(ix + 1 < nx, i + 1, along_x);
+    add(iy > 0, i - nx, along_y);
+    add(iy + 1 < ny, i + nx, along_y);
     entries.emplace_back(row, row, sum);
   }
 

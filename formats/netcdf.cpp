@@ -24,12 +24,12 @@ std::string_view unit_of(const Variable* variable) {
 // Whether x is the first index.
 bool x_is_slow(const Variable& heights) {
   if (heights.dimensions.size() != 2) {
-    throw Error("\"heights\" has " + std::to_string(heights.dimensions.size()) + " dimensions, 2 are needed" +
-                (heights.dimensions.size() == 1 ? "; it is a profile" : ""));
+    throw Error("\"heights\" has ", heights.dimensions.size(), " dimensions, 2 are needed",
+                heights.dimensions.size() == 1 ? "; it is a profile" : "");
   }
   if (heights.dimensions[0] == "x" && heights.dimensions[1] == "y") return true;
   if (heights.dimensions[0] == "y" && heights.dimensions[1] == "x") return false;
-  throw Error("\"heights\" has the dimensions " + in_quotes(heights.dimensions[0]) + " and " + in_quotes(heights.dimensions[1]) +
+  throw Error("\"heights\" has the dimensions ", in_quotes(heights.dimensions[0]), " and ", in_quotes(heights.dimensions[1]),
               ", x and y are needed");
 }
 
@@ -39,8 +39,7 @@ void check_even(const std::vector<double>& places, std::string_view axis) {
   const double step = (places.back() - places.front()) / static_cast<double>(places.size() - 1);
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (!(std::abs(places[i] - places.front() - step * static_cast<double>(i)) <= most_off * std::abs(step)))
-      throw Error("the coordinates along " + std::string(axis) +
-                  " are not evenly spaced; interpolate the heights on a regular grid");
+      throw Error("the coordinates along ", axis, " are not evenly spaced; interpolate the heights on a regular grid");
   }
 }
 

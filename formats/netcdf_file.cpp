@@ -12,24 +12,29 @@ namespace rc::formats {
 namespace {
 
 enum Tag : std::uint32_t { absent = 0, dimension_list = 10, variable_list = 11, attribute_list = 12 };
-enum Type : std::uint32_t {
-  nc_byte = 1,
-  nc_char,
-  nc_short,
-  nc_int,
-  nc_float,
-  nc_double,
-  nc_ubyte,
-  nc_ushort,
-  nc_uint,
-  nc_int64,
-  nc_uint64
-};
+enum Type : std::uint32_t { nc_char = 2, nc_short, nc_int, nc_float, nc_double };
 
-std::uint64_t size_of_type(std::uint32_t type) {
-  constexpr std::uint64_t sizes[] = {0, 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8};
-  if (type == 0 || type >= std::size(sizes)) throw Error("type " + std::to_string(type) + " is not known; the file is damaged");
-  return sizes[type];
+template <class Number> std::vector<double> numbers(std::string_view values) {
+  std::vector<double> found;
+  append_numbers<Number>(values, std::endian::big, found, [](Number value) { return static_cast<double>(value); });
+  return found;
+}
+
+struct NetcdfType {
+  std::uint64_t size;
+  std::vector<double> (*read)(std::string_view values);
+};
+// By their codes, which begin with 1: byte, char, short, int, float, double, ubyte, ushort, uint, int64, uint64.
+constexpr NetcdfType netcdf_types[] = {{1, numbers<std::int8_t>},   {1, nullptr},
+                                       {2, numbers<std::int16_t>},  {4, numbers<std::int32_t>},
+                                       {4, numbers<float>},         {8, numbers<double>},
+                                       {1, numbers<std::uint8_t>},  {2, numbers<std::uint16_t>},
+                                       {4, numbers<std::uint32_t>}, {8, numbers<std::int64_t>},
+                                       {8, numbers<std::uint64_t>}};
+
+const NetcdfType& netcdf_type(std::uint32_t code) {
+  if (code == 0 || code > std::size(netcdf_types)) throw Error("type ", code, " is not known; the file is damaged");
+  return netcdf_types[code - 1];
 }
 
 struct Dimension {
@@ -61,15 +66,15 @@ class NetcdfHeader {
     const std::uint64_t entries = count();
     if (tag == absent && entries == 0) return 0;
     if (tag != expected)
-      throw Error(format("the header has tag %u at byte %llu, %u is expected; the file is damaged", tag,
-                         static_cast<unsigned long long>(at_), static_cast<unsigned>(expected)));
+      throw Error("the header has tag ", tag, " at byte ", at_, ", ", std::uint32_t{expected},
+                  " is expected; the file is damaged");
     check_count(entries);
     return entries;
   }
 
   void check_count(std::uint64_t entries) const {
     if (entries > (file_.size() - at_) / 4)
-      throw Error("the header claims " + std::to_string(entries) + " entries, more than the file has room for; it is damaged");
+      throw Error("the header claims ", entries, " entries, more than the file has room for; it is damaged");
   }
 
  private:
@@ -91,7 +96,7 @@ std::vector<NetcdfFile::Attribute> read_attributes(NetcdfHeader& header) {
     const auto type = header.word();
     const auto count = header.count();
     header.check_count(count / 4);
-    attributes.push_back({name, type, header.bytes(count * size_of_type(type))});
+    attributes.push_back({name, type, header.bytes(count * netcdf_type(type).size)});
   }
   return attributes;
 }
@@ -114,8 +119,8 @@ NetcdfFile::Variable read_variable(NetcdfHeader& header, const std::vector<Dimen
   for (std::uint64_t k = 0; k < rank; ++k) {
     const std::uint64_t id = header.count();
     if (id >= dimensions.size())
-      throw Error("variable " + in_quotes(variable.name) + " has dimension " + std::to_string(id) + " of " +
-                  std::to_string(dimensions.size()) + "; the file is damaged");
+      throw Error("variable ", in_quotes(variable.name), " has dimension ", id, " of ", dimensions.size(),
+                  "; the file is damaged");
     variable.dimensions.push_back(dimensions[id].name);
     variable.shape.push_back(static_cast<std::int64_t>(std::min<std::uint64_t>(dimensions[id].length, 1ull << 62)));
     record = record || dimensions[id].length == 0;
@@ -126,10 +131,10 @@ NetcdfFile::Variable read_variable(NetcdfHeader& header, const std::vector<Dimen
   const std::uint64_t begin = header.offset();
   if (record) return variable;  // without values: records are scattered over the file and hold no map
 
-  std::uint64_t size = size_of_type(variable.type);
+  std::uint64_t size = netcdf_type(variable.type).size;
   for (const auto length : variable.shape) {
     if (static_cast<std::uint64_t>(length) > file.size() / size) {
-      throw Error("variable " + in_quotes(variable.name) + " has more values than the file of " + std::to_string(file.size()) +
+      throw Error("variable ", in_quotes(variable.name), " has more values than the file of ", file.size(),
                   " bytes can hold; it is truncated or damaged");
     }
     size *= static_cast<std::uint64_t>(length);
@@ -144,12 +149,6 @@ const NetcdfFile::Attribute* find_attribute(const NetcdfFile::Variable* variable
     if (attribute.name == name) return &attribute;
   }
   return nullptr;
-}
-
-template <class Number> std::vector<double> numbers(std::string_view values) {
-  std::vector<double> found;
-  append_numbers<Number>(values, std::endian::big, found, [](Number value) { return static_cast<double>(value); });
-  return found;
 }
 
 }  // namespace
@@ -178,30 +177,8 @@ const NetcdfFile::Variable* NetcdfFile::find(std::string_view name) const {
 }
 
 std::vector<double> netcdf_numbers(std::uint32_t type, std::string_view values, std::string_view what) {
-  switch (type) {
-    case nc_byte:
-      return numbers<std::int8_t>(values);
-    case nc_short:
-      return numbers<std::int16_t>(values);
-    case nc_int:
-      return numbers<std::int32_t>(values);
-    case nc_float:
-      return numbers<float>(values);
-    case nc_double:
-      return numbers<double>(values);
-    case nc_ubyte:
-      return numbers<std::uint8_t>(values);
-    case nc_ushort:
-      return numbers<std::uint16_t>(values);
-    case nc_uint:
-      return numbers<std::uint32_t>(values);
-    case nc_int64:
-      return numbers<std::int64_t>(values);
-    case nc_uint64:
-      return numbers<std::uint64_t>(values);
-    default:
-      throw Error(std::string(what) + " is of type " + std::to_string(type) + ", a number is needed");
-  }
+  if (const auto read = netcdf_type(type).read) return read(values);
+  throw Error(what, " is of type ", type, ", a number is needed");
 }
 
 std::string_view netcdf_text(const NetcdfFile::Variable* variable, std::string_view attribute) {
@@ -217,17 +194,9 @@ std::optional<double> netcdf_number(const NetcdfFile::Variable* variable, std::s
 }
 
 double netcdf_default_fill(std::uint32_t type) {
-  switch (type) {
-    case nc_short:
-      return -32767;
-    case nc_int:
-      return -2147483647;
-    case nc_float:
-    case nc_double:
-      return 0x1.ep122;
-    default:
-      return std::numeric_limits<double>::quiet_NaN();  // none
-  }
+  if (type == nc_short) return -32767;
+  if (type == nc_int) return -2147483647;
+  return type == nc_float || type == nc_double ? 0x1.ep122 : std::numeric_limits<double>::quiet_NaN();  // none
 }
 
 }  // namespace rc::formats

@@ -28,8 +28,6 @@ class NetcdfFile {
   // Reads the header of the file, which must outlive this. Throws if it is damaged or of another kind.
   explicit NetcdfFile(std::string_view file);
 
-  const std::vector<Variable>& variables() const { return variables_; }
-
   // The variable of that name, or null.
   const Variable* find(std::string_view name) const;
 

@@ -42,7 +42,7 @@ class Dictionary {
         break;
       }
     }
-    if (!trimmed(rest_).empty()) throw Error("the header goes on after its dictionary: " + in_quotes(trimmed(rest_)));
+    if (!trimmed(rest_).empty()) throw Error("the header goes on after its dictionary: ", in_quotes(trimmed(rest_)));
     return header;
   }
 
@@ -55,13 +55,13 @@ class Dictionary {
   }
 
   void expect(char c) {
-    if (!accept(c)) throw Error("the header has " + in_quotes(rest_.substr(0, 20)) + " where '" + c + "' should be");
+    if (!accept(c)) throw Error("the header has ", in_quotes(rest_.substr(0, 20)), " where '", c, "' should be");
   }
 
   // Takes the text up to `end`, and `end` itself.
   std::string_view until(char end) {
     const auto length = rest_.find(end);
-    if (length == std::string_view::npos) throw Error("the header ends within " + in_quotes(rest_.substr(0, 20)));
+    if (length == std::string_view::npos) throw Error("the header ends within ", in_quotes(rest_.substr(0, 20)));
     const auto text = rest_.substr(0, length);
     rest_.remove_prefix(length + 1);
     return text;
@@ -84,12 +84,12 @@ std::pair<std::int64_t, std::int64_t> parse_shape(std::string_view text) {
   if (parts.size() == 3 && trimmed(parts.back()).empty()) parts.pop_back();  // a trailing comma
   const auto ny = to_integer(parts[0]);
   const auto nx = parts.size() == 2 ? to_integer(parts[1]) : std::nullopt;
-  if (!ny || !nx) throw Error("shape " + in_quotes("(" + std::string(text) + ")") + " is not (ny, nx)");
+  if (!ny || !nx) throw Error("shape ", in_quotes(join("(", text, ")")), " is not (ny, nx)");
   return {*ny, *nx};
 }
 
 bool parse_order(std::string_view text) {
-  if (text != "True" && text != "False") throw Error("fortran_order " + in_quotes(text) + " is neither True nor False");
+  if (text != "True" && text != "False") throw Error("fortran_order ", in_quotes(text), " is neither True nor False");
   return text == "True";
 }
 
@@ -122,7 +122,7 @@ const NumberType& number_type(std::string_view descr) {
       if (type.code == descr.substr(1)) return type;
     }
   }
-  throw Error("data type " + in_quotes(descr) + (descr == "|b1" ? " is truth values, not heights" : " cannot be read") +
+  throw Error("data type ", in_quotes(descr), descr == "|b1" ? " is truth values, not heights" : " cannot be read",
               "; known are f2, f4, f8, i1 to i8 and u1 to u8, into which astype() of NumPy converts");
 }
 
@@ -135,14 +135,13 @@ std::endian byte_order(char mark) {
 std::string_view take_header(std::string_view& file) {
   if (!file.starts_with(npy_magic)) throw Error("the file does not begin with \\x93NUMPY");
   const int version = file.size() > npy_magic.size() ? static_cast<unsigned char>(file[npy_magic.size()]) : 0;
-  if (version < 1 || version > 3) throw Error("version " + std::to_string(version) + " of the format, known are 1 to 3");
+  if (version < 1 || version > 3) throw Error("version ", version, " of the format, known are 1 to 3");
 
   const std::size_t preamble = version == 1 ? 10 : 12;
   if (file.size() < preamble) throw Error("the file ends within the header");
   const std::size_t length = version == 1 ? stored_number<std::uint16_t>(file.data() + 8, std::endian::little)
                                           : stored_number<std::uint32_t>(file.data() + 8, std::endian::little);
-  if (length > npy_longest_header)
-    throw Error("the header has " + std::to_string(length) + " bytes, at most " + std::to_string(npy_longest_header));
+  if (length > npy_longest_header) throw Error("the header has ", length, " bytes, at most ", npy_longest_header);
   if (length > file.size() - preamble) throw Error("the file ends within the header");
 
   const auto header = file.substr(preamble, length);

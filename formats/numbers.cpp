@@ -8,42 +8,35 @@
 
 namespace rc::formats {
 
-namespace {
+std::optional<double> to_number(std::string_view text) { return parse_real(trimmed(text)); }
 
-template <class Number> std::optional<std::pair<Number, std::string_view>> parse_leading(std::string_view text) {
+std::optional<std::pair<double, std::string_view>> leading_number(std::string_view text) {
   text = trimmed(text);
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
-
-  Number value{};
+  double value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{}) return std::nullopt;
   return std::pair{value, text.substr(static_cast<std::size_t>(end - text.data()))};
 }
 
-template <class Number> std::optional<Number> parse(std::string_view text) {
-  const auto found = parse_leading<Number>(text);
-  if (!found || !found->second.empty()) return std::nullopt;
-  return found->first;
+std::optional<std::int64_t> to_integer(std::string_view text) { return parse_int(trimmed(text)); }
+
+std::int64_t whole_number(std::string_view what, std::string_view text) {
+  const auto value = to_integer(text);
+  if (!value || *value < 1) throw Error(what, " ", in_quotes(text), " is not a whole number from 1 on");
+  return *value;
 }
-
-}  // namespace
-
-std::optional<double> to_number(std::string_view text) { return parse<double>(text); }
-
-std::optional<std::pair<double, std::string_view>> leading_number(std::string_view text) { return parse_leading<double>(text); }
-
-std::optional<std::int64_t> to_integer(std::string_view text) { return parse<std::int64_t>(text); }
 
 double finite_number(std::string_view what, std::string_view text) {
   const auto value = to_number(text);
-  if (!value) throw Error(std::string(what) + ": " + in_quotes(text) + " is not a number");
-  if (!std::isfinite(*value)) throw Error(std::string(what) + ": " + in_quotes(text) + " is not finite");
+  if (!value) throw Error(what, ": ", in_quotes(text), " is not a number");
+  if (!std::isfinite(*value)) throw Error(what, ": ", in_quotes(text), " is not finite");
   return *value;
 }
 
 double positive_number(std::string_view option, std::string_view text) {
   const double value = finite_number(option, text);
-  if (!(value > 0)) throw Error(std::string(option) + ": " + in_quotes(text) + " is not positive");
+  if (!(value > 0)) throw Error(option, ": ", in_quotes(text), " is not positive");
   return value;
 }
 

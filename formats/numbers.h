@@ -20,6 +20,8 @@ std::optional<std::pair<double, std::string_view>> leading_number(std::string_vi
 // A finite number given for `what`, else an Error that says what was given.
 double finite_number(std::string_view what, std::string_view text);
 double positive_number(std::string_view option, std::string_view text);
+// A number of points from 1 on.
+std::int64_t whole_number(std::string_view what, std::string_view text);
 
 std::vector<std::string_view> split(std::string_view text, char separator);
 

@@ -18,8 +18,7 @@ constexpr std::uint64_t data_start = 508;
 Surface read_plu(std::string_view file, double) {
   const std::string_view header = piece(file, 0, data_start, "the header of 508 bytes");
   if (const auto type = field<std::uint32_t>(header, 428, "the type"); type != topography) {
-    throw Error("the measurement is of type " + std::to_string(type) + ", only 3 (a topography) can be read" +
-                (type == 1 ? "; 1 is a profile" : ""));
+    throw Error("the measurement is of type ", type, ", only 3 (a topography) can be read", type == 1 ? "; 1 is a profile" : "");
   }
 
   Surface surface;
@@ -27,9 +26,8 @@ Surface read_plu(std::string_view file, double) {
   surface.nx = field<std::uint32_t>(header, 504, "nx");
   const auto ny = field<std::uint32_t>(header, 388, "ny"), nx = field<std::uint32_t>(header, 392, "nx");
   if (nx != surface.nx || ny != surface.ny) {
-    throw Error(
-        format("the header says %u x %u points at byte 388 and %lld x %lld at byte 500; the file is damaged or not a .plu", nx,
-               ny, static_cast<long long>(surface.nx), static_cast<long long>(surface.ny)));
+    throw Error("the header says ", nx, " x ", ny, " points at byte 388 and ", surface.nx, " x ", surface.ny,
+                " at byte 500; the file is damaged or not a .plu");
   }
   surface.hx = file_length("the pitch along x", 1e-6 * static_cast<double>(field<float>(header, 404, "dx")));
   surface.hy = file_length("the pitch along y", 1e-6 * static_cast<double>(field<float>(header, 408, "dy")));

@@ -79,7 +79,7 @@ const Format& named_format(std::string_view name) {
   std::vector<std::string> names;
   std::string known;
   for (const auto& f : formats) known += (known.empty() ? "" : ", ") + names.emplace_back(f.name);
-  throw Error("format: " + in_quotes(name) + " is not known" + suggestion(name, names) + "; give one of " + known);
+  throw Error("format: ", in_quotes(name), " is not known", suggestion(name, names), "; give one of ", known);
 }
 
 const Format& recognised_format(std::string_view file, std::string_view extension) {
@@ -88,7 +88,7 @@ const Format& recognised_format(std::string_view file, std::string_view extensio
 
   const auto foreign = std::ranges::find_if(foreign_formats, [&](const Foreign& f) { return file.starts_with(f.begin); });
   if (foreign != std::end(foreign_formats) && extension != ".nc")
-    throw Error("the file is a " + std::string(foreign->name) + "; " + std::string(other_readers));
+    throw Error("the file is a ", foreign->name, "; ", other_readers);
 
   const auto by_extension = [&](const Format& f) {
     const auto all = split(f.extensions, ' ');
@@ -100,7 +100,7 @@ const Format& recognised_format(std::string_view file, std::string_view extensio
   std::string known;
   for (const auto& f : formats)
     known += (known.empty() ? "" : ", ") + std::string(f.name) + " (" + std::string(f.extensions) + ")";
-  throw Error("unknown format, readable are " + known + "; give the format if it is one of them");
+  throw Error("unknown format, readable are ", known, "; give the format if it is one of them");
 }
 
 }  // namespace rc::formats

@@ -75,7 +75,7 @@ GridAxis find_grid_axis(const std::vector<double>& coordinates, std::int64_t mos
   std::vector<double> sorted = coordinates;
   std::ranges::sort(sorted);
   const auto spacing = spacings(sorted);
-  if (spacing.empty()) throw Error("all points have the same " + std::string(name) + ": a profile, a map is needed");
+  if (spacing.empty()) throw Error("all points have the same ", name, ": a profile, a map is needed");
 
   for (const double pitch : candidates(spacing)) {
     const auto lines = follow(sorted, pitch, most_lines);
@@ -85,9 +85,8 @@ GridAxis find_grid_axis(const std::vector<double>& coordinates, std::int64_t mos
     for (const double x : coordinates) axis.index.push_back(std::llround((x - lines->first) / lines->pitch));
     return axis;
   }
-  throw Error(
-      format("the points are on no regular grid along %s: neighbours are %g to %g apart; interpolate them on a grid first",
-             std::string(name).c_str(), spacing.front(), spacing.back()));
+  throw Error("the points are on no regular grid along ", name, ": neighbours are ", rc::in_digits(spacing.front(), 6), " to ",
+              rc::in_digits(spacing.back(), 6), " apart; interpolate them on a grid first");
 }
 
 }  // namespace rc::formats

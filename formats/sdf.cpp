@@ -20,14 +20,6 @@ namespace {
 constexpr std::uint64_t binary_header = 81;
 constexpr std::size_t longest_sdf_header = 1 << 16;
 
-std::string lower_case(std::string_view text) {
-  std::string lower{text};
-  for (char& c : lower) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
-  }
-  return lower;
-}
-
 using SdfHeader = std::map<std::string, std::string_view>;  // keys in lower case: writers disagree
 
 // Cuts the lines up to the one with '*' off the file.
@@ -40,7 +32,7 @@ SdfHeader take_sdf_header(std::string_view& file) {
       throw Error("the header has no end: a line \"*\" is missing; the file is truncated or damaged");
     const auto equals = line.find('=');
     if (line.empty() || line.starts_with(';')) continue;
-    if (equals == std::string_view::npos && !header.empty()) throw Error("header line " + in_quotes(line) + " has no '='");
+    if (equals == std::string_view::npos && !header.empty()) throw Error("header line ", in_quotes(line), " has no '='");
     if (equals == std::string_view::npos) {
       header["magic"] = line;
     } else {
@@ -51,14 +43,8 @@ SdfHeader take_sdf_header(std::string_view& file) {
 
 std::string_view entry(const SdfHeader& header, const std::string& key) {
   const auto found = header.find(lower_case(key));
-  if (found == header.end()) throw Error("the header has no " + key);
+  if (found == header.end()) throw Error("the header has no ", key);
   return found->second;
-}
-
-std::int64_t points(const SdfHeader& header, const std::string& key) {
-  const auto value = to_integer(entry(header, key));
-  if (!value || *value < 1) throw Error(key + " " + in_quotes(entry(header, key)) + " is not a whole number from 1 on");
-  return *value;
 }
 
 std::string_view take_word(std::string_view& text) {
@@ -72,8 +58,8 @@ std::string_view take_word(std::string_view& text) {
 Surface read_ascii(std::string_view file) {
   const SdfHeader header = take_sdf_header(file);
   Surface surface;
-  surface.nx = points(header, "NumPoints");
-  surface.ny = points(header, "NumProfiles");
+  surface.nx = whole_number("NumPoints", entry(header, "NumPoints"));
+  surface.ny = whole_number("NumProfiles", entry(header, "NumProfiles"));
   surface.hx = file_length("Xscale", finite_number("Xscale", entry(header, "Xscale")));
   surface.hy = file_length("Yscale", finite_number("Yscale", entry(header, "Yscale")));
   const double scale = file_length("Zscale", finite_number("Zscale", entry(header, "Zscale")));
@@ -84,14 +70,14 @@ Surface read_ascii(std::string_view file) {
     const auto word = take_word(file);
     const auto value = lower_case(word) == "bad" ? missing_height : to_number(word);
     if (word.empty() || word == "*") {
-      throw Error(format("the header says %lld x %lld points, but the file has %zu; it is truncated",
-                         static_cast<long long>(surface.nx), static_cast<long long>(surface.ny), surface.heights.size()));
+      throw Error("the header says ", surface.nx, " x ", surface.ny, " points, but the file has ", surface.heights.size(),
+                  "; it is truncated");
     }
-    if (!value) throw Error("number " + std::to_string(surface.heights.size() + 1) + ": " + in_quotes(word) + " is not a number");
+    if (!value) throw Error("number ", surface.heights.size() + 1, ": ", in_quotes(word), " is not a number");
     surface.heights.push_back(scale * *value);
   }
   if (const auto word = take_word(file); !word.empty() && word != "*")
-    throw Error("more numbers follow the " + std::to_string(count) + " that the header says: " + in_quotes(word));
+    throw Error("more numbers follow the ", count, " that the header says: ", in_quotes(word));
   return surface;
 }
 
@@ -117,15 +103,14 @@ Surface read_binary(std::string_view file) {
   const double scale = file_length("Zscale", field<double>(header, 62, "Zscale"));
   const int compression = field<std::uint8_t>(header, 78, ""), type = field<std::uint8_t>(header, 79, ""),
             check = field<std::uint8_t>(header, 80, "");
-  if (compression != 0) throw Error("compression " + std::to_string(compression) + " cannot be read, only 0 (none)");
-  if (check != 0) throw Error("checksum of type " + std::to_string(check) + " cannot be read, only 0 (none)");
+  if (compression != 0) throw Error("compression ", compression, " cannot be read, only 0 (none)");
+  if (check != 0) throw Error("checksum of type ", check, " cannot be read, only 0 (none)");
 
   using Read = void (*)(std::string_view, double, Surface&);
   constexpr Read readers[] = {read_numbers<std::uint8_t>, read_numbers<std::uint16_t>, read_numbers<std::uint32_t>,
                               read_numbers<float>,        read_numbers<std::int8_t>,   read_numbers<std::int16_t>,
                               read_numbers<std::int32_t>, read_numbers<double>};
-  if (type >= static_cast<int>(std::size(readers)))
-    throw Error("data type " + std::to_string(type) + " cannot be read, known are 0 to 7");
+  if (type >= static_cast<int>(std::size(readers))) throw Error("data type ", type, " cannot be read, known are 0 to 7");
   readers[type](file.substr(binary_header), scale, surface);
   return surface;
 }
@@ -135,7 +120,7 @@ Surface read_binary(std::string_view file) {
 Surface read_sdf(std::string_view file, double) {
   if (file.starts_with("bISO-") || file.starts_with("bBCR-")) return read_binary(file);
   if (file.starts_with("aISO-") || file.starts_with("aBCR-") || file.starts_with("aNPL-")) return read_ascii(file);
-  throw Error("the file begins with " + in_quotes(file.substr(0, 8)) +
+  throw Error("the file begins with ", in_quotes(file.substr(0, 8)),
               ", expected is aISO-1.0, aBCR-1.0, aNPL-V1.0, bISO-1.0 or bBCR-1.0");
 }
 

@@ -1,11 +1,9 @@
 // Digital Surf's .sur, as written by Mountains and the instruments that embed it: a header of 512 bytes, a comment, private data,
 // then nx*ny integers of 16 or 32 bits, x fastest. With magic DSCOMPRESSED the integers are in zlib streams: their number, the
 // length of each unpacked and packed, then the streams. Heights are relative: the offset of z is not added.
-#define ZLIB_CONST  // input is not written to
 #include <zlib.h>
 
 #include <cmath>
-#include <memory>
 #include <string>
 
 #include "formats/error.h"
@@ -30,29 +28,14 @@ double step_length(std::string_view header, std::string_view name, std::uint64_t
   return metres * static_cast<double>(field<float>(header, number_at, name));
 }
 
-struct EndInflate {
-  void operator()(z_stream* stream) const { inflateEnd(stream); }
-};
-
-// Appends what the stream holds if that is `expected` bytes. It works in blocks, so that a wrong header cannot claim memory.
+// Appends what the stream holds if that is `expected` bytes.
 bool inflate_stream(std::string_view packed, std::size_t expected, std::string& out) {
-  z_stream state{};
-  state.next_in = reinterpret_cast<const Bytef*>(packed.data());
-  state.avail_in = static_cast<uInt>(packed.size());
-  if (inflateInit(&state) != Z_OK) return false;
-  const std::unique_ptr<z_stream, EndInflate> end{&state};
-
   const std::size_t before = out.size();
-  char block[1 << 16];
-  int status = Z_OK;
-  while (status == Z_OK) {
-    state.next_out = reinterpret_cast<Bytef*>(block);
-    state.avail_out = sizeof block;
-    status = inflate(&state, Z_NO_FLUSH);
-    out.append(block, sizeof block - state.avail_out);
-    if (out.size() - before > expected) return false;
-  }
-  return status == Z_STREAM_END && out.size() - before == expected;
+  out.resize(before + expected);
+  auto size = static_cast<uLongf>(expected);
+  const int status = uncompress(reinterpret_cast<Bytef*>(out.data() + before), &size,
+                                reinterpret_cast<const Bytef*>(packed.data()), static_cast<uLong>(packed.size()));
+  return status == Z_OK && size == expected;
 }
 
 std::string inflate_streams(std::string_view data, std::size_t expected) {
@@ -65,15 +48,14 @@ std::string inflate_streams(std::string_view data, std::size_t expected) {
     piece(data, at, packed, "compressed stream " + std::to_string(k + 1));
     // zlib shrinks data to no less than a thousandth, which bounds what a small file may hold.
     if (raw > 1032 * std::uint64_t{packed} + 64) {
-      throw Error("compressed stream " + std::to_string(k + 1) + " claims " + std::to_string(raw) + " bytes, more than " +
-                  std::to_string(packed) + " compressed ones can hold; the file is damaged");
+      throw Error("compressed stream ", k + 1, " claims ", raw, " bytes, more than ", packed,
+                  " compressed ones can hold; the file is damaged");
     }
     at += packed;
     unpacked += raw;
   }
   if (unpacked != expected) {
-    throw Error("the compressed streams hold " + std::to_string(unpacked) + " bytes, the header asks for " +
-                std::to_string(expected) + "; the file is damaged");
+    throw Error("the compressed streams hold ", unpacked, " bytes, the header asks for ", expected, "; the file is damaged");
   }
 
   std::string out;
@@ -81,7 +63,7 @@ std::string inflate_streams(std::string_view data, std::size_t expected) {
   for (std::uint64_t k = 0; k < count; ++k) {
     const auto raw = field<std::uint32_t>(data, 4 + 8 * k, ""), packed = field<std::uint32_t>(data, 8 + 8 * k, "");
     if (!inflate_stream(data.substr(from, packed), raw, out))
-      throw Error("compressed stream " + std::to_string(k + 1) + " cannot be unpacked; the file is damaged");
+      throw Error("compressed stream ", k + 1, " cannot be unpacked; the file is damaged");
     from += packed;
   }
   return out;
@@ -89,10 +71,9 @@ std::string inflate_streams(std::string_view data, std::size_t expected) {
 
 void check_kind(std::string_view header) {
   if (const auto order = field<std::uint16_t>(header, 12, "the byte order"); order != 0)
-    throw Error("the byte order is " + std::to_string(order) + ", only 0 (little-endian) can be read");
+    throw Error("the byte order is ", order, ", only 0 (little-endian) can be read");
   if (const auto type = field<std::uint16_t>(header, 18, "the type"); type != surface_type) {
-    throw Error("the studiable is of type " + std::to_string(type) + ", only 2 (a surface) can be read" +
-                (type == 1 ? "; 1 is a profile" : ""));
+    throw Error("the studiable is of type ", type, ", only 2 (a surface) can be read", type == 1 ? "; 1 is a profile" : "");
   }
 }
 
@@ -110,15 +91,14 @@ Surface read_sur(std::string_view file, double unit) {
   surface.ny = field<std::int32_t>(header, 112, "ny");
   const std::int64_t points = field<std::int32_t>(header, 116, "the number of points");
   if (surface.nx < 1 || surface.ny < 1 || surface.nx * surface.ny != points) {
-    throw Error(format("the header says %lld x %lld points and %lld in all; the file is damaged",
-                       static_cast<long long>(surface.nx), static_cast<long long>(surface.ny), static_cast<long long>(points)));
+    throw Error("the header says ", surface.nx, " x ", surface.ny, " points and ", points, " in all; the file is damaged");
   }
   surface.hx = file_length("the pitch along x", step_length(header, "the pitch along x", 120, 180, unit));
   surface.hy = file_length("the pitch along y", step_length(header, "the pitch along y", 124, 196, unit));
   const double step = file_length("the step of heights", step_length(header, "the step of heights", 128, 212, unit));
 
   const auto bits = field<std::uint16_t>(header, 98, "the size of numbers");
-  if (bits != 16 && bits != 32) throw Error("numbers have " + std::to_string(bits) + " bits, only 16 and 32 can be read");
+  if (bits != 16 && bits != 32) throw Error("numbers have ", bits, " bits, only 16 and 32 can be read");
   const std::size_t bytes = bits / 8u;
   const std::uint64_t skipped = field<std::uint16_t>(header, 334, "the size of the comment") +
                                 field<std::uint16_t>(header, 336, "the size of private data");

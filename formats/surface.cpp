@@ -45,37 +45,29 @@ template <class Work> auto of_file(const fs::path& path, const Work& work) {
   try {
     return work();
   } catch (const Error& error) {
-    throw Error((path.empty() ? "the file" : path.string()) + ": " + error.what());
+    throw Error(path.empty() ? "the file" : path.string(), ": ", error.what());
   }
-}
-
-std::string lower_case_extension(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  return extension;
 }
 
 }  // namespace
 
 std::string_view piece(std::string_view file, std::uint64_t offset, std::uint64_t size, std::string_view what) {
   if (offset > file.size() || size > file.size() - offset) {
-    throw Error("the file has " + std::to_string(file.size()) + " bytes and ends within " + std::string(what) + " (" +
-                std::to_string(size) + " bytes from byte " + std::to_string(offset) + "); it is truncated");
+    throw Error("the file has ", file.size(), " bytes and ends within ", what, " (", size, " bytes from byte ", offset,
+                "); it is truncated");
   }
   return file.substr(offset, size);
 }
 
 std::size_t data_size(std::int64_t nx, std::int64_t ny, std::size_t bytes_per_number, std::size_t available) {
-  const std::string grid = std::to_string(nx) + " x " + std::to_string(ny);
-  if (nx < 1 || ny < 1) throw Error("the header says " + grid + " points, at least 1 x 1 are needed");
+  const std::string grid = join(nx, " x ", ny);
+  if (nx < 1 || ny < 1) throw Error("the header says ", grid, " points, at least 1 x 1 are needed");
 
   // Divides, because nx*ny of a wrong header may overflow.
   const auto columns = static_cast<std::uint64_t>(nx), rows = static_cast<std::uint64_t>(ny);
   const std::uint64_t numbers = available / bytes_per_number;
   if (rows > numbers / columns) {
-    throw Error("the header says " + grid + " points, but the file has data for " + std::to_string(numbers) +
-                "; it is truncated");
+    throw Error("the header says ", grid, " points, but the file has data for ", numbers, "; it is truncated");
   }
   return columns * rows * bytes_per_number;
 }
@@ -83,16 +75,14 @@ std::size_t data_size(std::int64_t nx, std::int64_t ny, std::size_t bytes_per_nu
 void check_data_size(std::int64_t nx, std::int64_t ny, std::size_t bytes_per_number, std::size_t available) {
   const std::size_t size = data_size(nx, ny, bytes_per_number, available);
   if (size == available) return;
-  throw Error("the header says " + std::to_string(nx) + " x " + std::to_string(ny) + " points, but " +
-              std::to_string(available - size) + " bytes follow their data");
+  throw Error("the header says ", nx, " x ", ny, " points, but ", available - size, " bytes follow their data");
 }
 
 std::size_t packed_data_size(std::int64_t nx, std::int64_t ny, std::size_t bytes_per_number, std::size_t file_size) {
   const std::uint64_t most = most_unpacked(file_size) / std::max(bytes_per_number, sizeof(double));
   if (nx >= 1 && ny >= 1 && static_cast<std::uint64_t>(ny) > most / static_cast<std::uint64_t>(nx)) {
-    throw Error("the header says " + std::to_string(nx) + " x " + std::to_string(ny) + " points, more than the " +
-                std::to_string(most) + " that are unpacked from a file of " + std::to_string(file_size) +
-                " bytes; it is truncated or damaged");
+    throw Error("the header says ", nx, " x ", ny, " points, more than the ", most, " that are unpacked from a file of ",
+                file_size, " bytes; it is truncated or damaged");
   }
   return data_size(nx, ny, bytes_per_number, most_unpacked(file_size));
 }
@@ -100,16 +90,14 @@ std::size_t packed_data_size(std::int64_t nx, std::int64_t ny, std::size_t bytes
 double file_unit(std::string_view key, std::string_view name, double unit) {
   if (name.empty()) return unit;
   if (const auto metres = metres_per(name)) return *metres;
-  throw Error(std::string(key) + " " + in_quotes(name) +
-              " is not a length, known are m and m with an SI prefix (mm, um, nm, pm)");
+  throw Error(key, " ", in_quotes(name), " is not a length, known are m and m with an SI prefix (mm, um, nm, pm)");
 }
 
 double file_length(std::string_view key, double metres) {
   constexpr double least = 1e-18, most = 1e9;  // beyond these a header is damaged
   if (metres >= least && metres <= most) return metres;
-  throw Error(
-      format("%s is %g m, %s", std::string(key).c_str(), metres,
-             metres > 0 && std::isfinite(metres) ? "which no surface has; the header is damaged" : "not a positive length"));
+  throw Error(key, " is ", rc::in_digits(metres, 6), " m, ",
+              metres > 0 && std::isfinite(metres) ? "which no surface has; the header is damaged" : "not a positive length");
 }
 
 Surface read_surface(const fs::path& path, double unit, const std::optional<std::string>& format) {
@@ -122,7 +110,7 @@ Surface read_surface(std::string_view file, const fs::path& name, double unit, c
   return of_file(name, [&] {
     std::string converted;
     const std::string_view plain = decoded(file, converted);
-    const Format& chosen = named ? *named : recognised_format(plain, lower_case_extension(name));
+    const Format& chosen = named ? *named : recognised_format(plain, lower_case(name.extension().string()));
     const bool guessed = !named && chosen.read == read_text;
     Surface surface = guessed ? read_text_or_points(plain, unit) : chosen.read(plain, unit);
     if (surface.format.empty()) surface.format = chosen.name;

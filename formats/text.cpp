@@ -37,7 +37,7 @@ std::int64_t append_row(std::string_view line, std::int64_t row, std::vector<dou
     ++column;
     const auto value = is_missing_mark(field) ? missing_height : field_number(field);
     if (!value) {
-      throw Error("row " + std::to_string(row) + ", column " + std::to_string(column) + ": " + not_a_number(field, row));
+      throw Error("row ", row, ", column ", column, ": ", not_a_number(field, row));
     }
     values.push_back(*value);
   }
@@ -69,9 +69,9 @@ TextMatrix parse_matrix(std::string_view file) {
     matrix.comma_pairs &=
         columns == 2 && line.find(',') != std::string_view::npos && line.find_first_of(" .;\t") == std::string_view::npos;
     if (columns != matrix.nx || columns == 0) {
-      throw Error("row " + std::to_string(row) + (after_blank && row > 1 ? ", after a blank line," : "") + " has " +
-                  std::to_string(columns) + " values, expected " + std::to_string(std::max<std::int64_t>(matrix.nx, 1)) +
-                  " as in row 1" + (after_blank && row > 1 ? "; give a file with one map" : ""));
+      throw Error("row ", row, after_blank && row > 1 ? ", after a blank line," : "", " has ", columns, " values, expected ",
+                  std::max<std::int64_t>(matrix.nx, 1), " as in row 1",
+                  after_blank && row > 1 ? "; give a file with one map" : "");
     }
     ++matrix.blocks.back();
     after_blank = false;
@@ -87,10 +87,8 @@ std::int64_t rows_of_first(const TextMatrix& matrix) {
     return matrix.rows;
   const bool alike = std::ranges::all_of(blocks, [&](std::int64_t rows) { return rows == blocks.front(); });
   if (alike || matrix.header.rows == blocks.front()) return blocks.front();
-  throw Error(
-      format("blank lines divide the %lld rows into %zu blocks, the first of %lld: one map or several? Remove the blank "
-             "lines, or give a file with one map",
-             static_cast<long long>(matrix.rows), blocks.size(), static_cast<long long>(blocks.front())));
+  throw Error("blank lines divide the ", matrix.rows, " rows into ", blocks.size(), " blocks, the first of ", blocks.front(),
+              ": one map or several? Remove the blank lines, or give a file with one map");
 }
 
 Surface first_map(TextMatrix&& matrix, double unit) {
@@ -115,8 +113,8 @@ Surface read_text_or_points(std::string_view file, double unit) {
   if (matrix.comma_pairs && !matrix.header.of_matrix())
     throw Error(
         "each row is one number with a decimal comma, which is a profile, or two whole numbers: give the format text for a map "
-        "of 2 x " +
-        std::to_string(matrix.rows));
+        "of 2 x ",
+        matrix.rows);
   const bool three = matrix.nx == 3 && !matrix.header.of_matrix();
   const Columns kind = three ? kind_of_columns(matrix.values) : Columns::heights;
   if (kind == Columns::heights) return first_map(std::move(matrix), unit);
@@ -125,9 +123,9 @@ Surface read_text_or_points(std::string_view file, double unit) {
   try {
     surface = read_xyz(file, unit);
   } catch (const Error& error) {
-    throw Error("three columns that look like x, y, z: " + std::string(error.what()) + "; or " + otherwise);
+    throw Error("three columns that look like x, y, z: ", error.what(), "; or ", otherwise);
   }
-  if (kind == Columns::unclear) throw Error("three columns: give the format xyz if they are x, y, z; or " + otherwise);
+  if (kind == Columns::unclear) throw Error("three columns: give the format xyz if they are x, y, z; or ", otherwise);
   surface.format = "xyz";
   surface.note = "three columns are taken as x, y, z; " + otherwise;
   return surface;

@@ -12,34 +12,17 @@
 
 namespace rc::formats {
 
-// Lines such as "Width: 10 um".
-enum class TextHeader::Meaning {
-  channel,
-  columns,
-  rows,
-  size,
-  width,
-  height,
-  x_unit,
-  y_unit,
-  lateral_unit,
-  z_unit,
-  pixel,
-  pixel_x,
-  pixel_y,
-  metres,
-  nanometres,
-  factor,
-  no_data,
-  kind,
-  nothing
-};
+// Lines such as "Width: 10 um": what is to be done with the value.
+enum class TextHeader::Role { channel, columns, rows, size, width, no_data, kind, other };
 
 struct TextHeader::Key {
-  std::string_view name;  // ASCII in lower case
-  Meaning meaning;
+  std::string_view names;  // ASCII in lower case, between bars
+  Role role = Role::other;
+  // Where a number goes, and its unit, or a text alone.
+  std::optional<double> TextHeader::*number = nullptr, TextHeader::*same_number = nullptr;
+  std::string_view TextHeader::*text = nullptr, TextHeader::*same_text = nullptr;
 
-  bool counts() const { return meaning == Meaning::rows || meaning == Meaning::columns || meaning == Meaning::size; }
+  bool counts() const { return role == Role::rows || role == Role::columns || role == Role::size; }
 };
 
 struct TextHeader::Split {
@@ -48,110 +31,46 @@ struct TextHeader::Split {
 
 namespace {
 
-using Meaning = TextHeader::Meaning;
+using Role = TextHeader::Role;
 using Key = TextHeader::Key;
 using Split = TextHeader::Split;
 
 // Gwyddion translates its labels, and older versions write them in Latin-1.
 constexpr Key header_keys[] = {
-    {"channel", Meaning::channel},
-    {"kan\xc3\xa1l", Meaning::channel},
-    {"kanal", Meaning::channel},
-    {"canal", Meaning::channel},
-    {"canale", Meaning::channel},
-    {"\xd0\x9a\xd0\xb0\xd0\xbd\xd0\xb0\xd0\xbb", Meaning::channel},
-    {"width", Meaning::width},
-    {"breite", Meaning::width},
-    {"\xc5\xa0\xc3\xad\xc5\x99ka", Meaning::width},
-    {"anchura", Meaning::width},
-    {"largeur", Meaning::width},
-    {"larghezza", Meaning::width},
-    {"largura", Meaning::width},
-    {"\xe5\xb9\x85", Meaning::width},
-    {"\xed\x8f\xad", Meaning::width},
-    {"\xd0\xa8\xd0\xb8\xd1\x80\xd0\xb8\xd0\xbd\xd0\xb0", Meaning::width},
-    {"x-length", Meaning::width},
-    {"height", Meaning::height},
-    {"h\xc3\xb6he", Meaning::height},
-    {"h\xf6he", Meaning::height},
-    {"hoehe", Meaning::height},
-    {"v\xc3\xbd\xc5\xa1ka", Meaning::height},
-    {"altura", Meaning::height},
-    {"hauteur", Meaning::height},
-    {"altezza", Meaning::height},
-    {"\xe9\xab\x98\xe3\x81\x95", Meaning::height},
-    {"\xeb\x86\x92\xec\x9d\xb4", Meaning::height},
-    {"\xd0\x92\xd1\x8b\xd1\x81\xd0\xbe\xd1\x82\xd0\xb0", Meaning::height},
-    {"y-length", Meaning::height},
-    {"value units", Meaning::z_unit},
-    {"value unit", Meaning::z_unit},
-    {"einheiten", Meaning::z_unit},
-    {"werteinheit", Meaning::z_unit},
-    {"werteinheiten", Meaning::z_unit},
-    {"einheit der werte", Meaning::z_unit},
-    {"einheiten der werte", Meaning::z_unit},
-    {"jednotky hodnot", Meaning::z_unit},
-    {"unit\xc3\xa9s", Meaning::z_unit},
-    {"unit\xe9s", Meaning::z_unit},
-    {"unit\xc3\xa0 valore", Meaning::z_unit},
-    {"unidades de valor", Meaning::z_unit},
-    {"\xe5\x80\xa4\xe3\x81\xae\xe5\x8d\x98\xe4\xbd\x8d", Meaning::z_unit},
-    {"\xea\xb0\x92 \xeb\x8b\xa8\xec\x9c\x84", Meaning::z_unit},
-    {"\xd0\x95\xd0\xb4\xd0\xb8\xd0\xbd\xd0\xb8\xd1\x86\xd1\x8b "
-     "\xd0\xb8\xd0\xb7\xd0\xbc\xd0\xb5\xd1\x80\xd0\xb5\xd0\xbd\xd0\xb8\xd1\x8f",
-     Meaning::z_unit},
-    {"z-unit", Meaning::z_unit},
-    {"unit data", Meaning::z_unit},
-    {"x-unit", Meaning::x_unit},
-    {"y-unit", Meaning::y_unit},
-    {"unit x", Meaning::lateral_unit},
-    {"unit y", Meaning::y_unit},
-    {"x-pixels", Meaning::columns},
-    {"nx", Meaning::columns},
-    {"w", Meaning::columns},
-    {"ncols", Meaning::columns},
-    {"cols", Meaning::columns},
-    {"columns", Meaning::columns},
-    {"xres", Meaning::columns},
-    {"spalten", Meaning::columns},
-    {"y-pixels", Meaning::rows},
-    {"ny", Meaning::rows},
-    {"h", Meaning::rows},
-    {"nrows", Meaning::rows},
-    {"rows", Meaning::rows},
-    {"lines", Meaning::rows},
-    {"yres", Meaning::rows},
-    {"zeilen", Meaning::rows},
-    {"resolution", Meaning::size},
-    {"size", Meaning::size},
-    {"shape", Meaning::size},
-    {"pixels", Meaning::size},
-    {"points", Meaning::size},
-    {"pixel size", Meaning::pixel},
-    {"cellsize", Meaning::pixel},
-    {"scale x", Meaning::pixel_x},
-    {"scale y", Meaning::pixel_y},
-    {"height conversion factor (-> m)", Meaning::metres},
-    {"bit2nm", Meaning::nanometres},
-    {"scale data", Meaning::factor},
-    {"nodata_value", Meaning::no_data},
-    {"file format", Meaning::kind},
-    {"data unit", Meaning::nothing},
-    {"xllcorner", Meaning::nothing},
-    {"yllcorner", Meaning::nothing},
-    {"xllcenter", Meaning::nothing},
-    {"yllcenter", Meaning::nothing},
+    {"|channel|kan\xc3\xa1l|kanal|canal|canale|\xd0\x9a\xd0\xb0\xd0\xbd\xd0\xb0\xd0\xbb|", Role::channel},
+    {"|width|breite|\xc5\xa0\xc3\xad\xc5\x99ka|anchura|largeur|larghezza|largura|\xe5\xb9\x85|\xed\x8f\xad|"
+     "\xd0\xa8\xd0\xb8\xd1\x80\xd0\xb8\xd0\xbd\xd0\xb0|x-length|",
+     Role::width, &TextHeader::width, nullptr, &TextHeader::width_unit},
+    {"|height|h\xc3\xb6he|h\xf6he|hoehe|v\xc3\xbd\xc5\xa1ka|altura|hauteur|altezza|\xe9\xab\x98\xe3\x81\x95|"
+     "\xeb\x86\x92\xec\x9d\xb4|\xd0\x92\xd1\x8b\xd1\x81\xd0\xbe\xd1\x82\xd0\xb0|y-length|",
+     Role::other, &TextHeader::height, nullptr, &TextHeader::height_unit},
+    {"|value units|value unit|einheiten|werteinheit|werteinheiten|einheit der werte|einheiten der werte|"
+     "jednotky hodnot|unit\xc3\xa9s|unit\xe9s|unit\xc3\xa0 valore|unidades de valor|"
+     "\xe5\x80\xa4\xe3\x81\xae\xe5\x8d\x98\xe4\xbd\x8d|\xea\xb0\x92 \xeb\x8b\xa8\xec\x9c\x84|"
+     "\xd0\x95\xd0\xb4\xd0\xb8\xd0\xbd\xd0\xb8\xd1\x86\xd1\x8b "
+     "\xd0\xb8\xd0\xb7\xd0\xbc\xd0\xb5\xd1\x80\xd0\xb5\xd0\xbd\xd0\xb8\xd1\x8f|"
+     "z-unit|unit data|",
+     Role::other, nullptr, nullptr, &TextHeader::z_unit},
+    {"|x-unit|", Role::other, nullptr, nullptr, &TextHeader::x_unit},
+    {"|y-unit|unit y|", Role::other, nullptr, nullptr, &TextHeader::y_unit},
+    {"|unit x|", Role::other, nullptr, nullptr, &TextHeader::x_unit, &TextHeader::y_unit},
+    {"|x-pixels|nx|w|ncols|cols|columns|xres|spalten|", Role::columns},
+    {"|y-pixels|ny|h|nrows|rows|lines|yres|zeilen|", Role::rows},
+    {"|resolution|size|shape|pixels|points|", Role::size},
+    {"|pixel size|cellsize|", Role::other, &TextHeader::pixel_x, &TextHeader::pixel_y, &TextHeader::x_unit, &TextHeader::y_unit},
+    {"|scale x|", Role::other, &TextHeader::pixel_x},
+    {"|scale y|", Role::other, &TextHeader::pixel_y},
+    {"|height conversion factor (-> m)|", Role::other, &TextHeader::metres},
+    {"|bit2nm|", Role::other, &TextHeader::nanometres},
+    {"|scale data|", Role::other, &TextHeader::factor},
+    {"|nodata_value|", Role::no_data},
+    {"|file format|", Role::kind},
+    {"|data unit|xllcorner|yllcorner|xllcenter|yllcenter|"},
 };
 
-std::string in_lower_case(std::string_view text) {
-  std::string lower{text};
-  std::ranges::transform(lower, lower.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  return lower;
-}
-
 const Key* key_named(std::string_view name) {
-  const std::string lower = in_lower_case(trimmed(name));
-  const auto found = std::ranges::find(header_keys, lower, &Key::name);
+  const std::string barred = join('|', lower_case(trimmed(name)), '|');
+  const auto found = std::ranges::find_if(header_keys, [&](const Key& key) { return key.names.find(barred) != key.names.npos; });
   return found == std::end(header_keys) ? nullptr : found;
 }
 
@@ -160,9 +79,8 @@ std::pair<double, std::string_view> header_length(std::string_view key, std::str
   const auto gap = std::min(text.find_first_of(" \t"), text.size());
   const auto number = text.substr(0, gap);
   const auto value = field_number(number);
-  if (!value) throw Error(std::string(key) + ": " + in_quotes(number) + " is not a number");
-  if (!(*value > 0) || !std::isfinite(*value))
-    throw Error(std::string(key) + " " + in_quotes(text) + " is not a positive length");
+  if (!value) throw Error(key, ": ", in_quotes(number), " is not a number");
+  if (!(*value > 0) || !std::isfinite(*value)) throw Error(key, " ", in_quotes(text), " is not a positive length");
   return {*value, trimmed(text.substr(gap))};
 }
 
@@ -202,63 +120,17 @@ std::optional<Split> at_separator(std::string_view line) {
 }  // namespace
 
 void TextHeader::read_pair(const Key& key, const Split& pair) {
-  const auto [name, value] = pair;
-  switch (key.meaning) {
-    case Meaning::width: {
-      const auto [length, unit] = header_length(name, value);
-      width = length, width_unit = unit;
-      break;
-    }
-    case Meaning::height: {
-      const auto [length, unit] = header_length(name, value);
-      height = length, height_unit = unit;
-      break;
-    }
-    case Meaning::pixel: {
-      const auto [length, unit] = header_length(name, value);
-      pixel_x = pixel_y = length, x_unit = y_unit = unit;
-      break;
-    }
-    case Meaning::pixel_x:
-      pixel_x = header_length(name, value).first;
-      break;
-    case Meaning::pixel_y:
-      pixel_y = header_length(name, value).first;
-      break;
-    case Meaning::x_unit:
-      x_unit = value;
-      break;
-    case Meaning::y_unit:
-      y_unit = value;
-      break;
-    case Meaning::lateral_unit:
-      x_unit = y_unit = value;
-      break;
-    case Meaning::z_unit:
-      z_unit = value;
-      break;
-    case Meaning::metres:
-      metres = header_length(name, value).first;
-      break;
-    case Meaning::nanometres:
-      nanometres = header_length(name, value).first;
-      break;
-    case Meaning::factor:
-      factor = header_length(name, value).first;
-      break;
-    case Meaning::no_data:
-      no_data = field_number(value);
-      break;
-    case Meaning::kind:
-      names_kind = true;
-      break;
-    case Meaning::columns:
-    case Meaning::rows:
-    case Meaning::size:
-    case Meaning::channel:
-    case Meaning::nothing:
-      break;
+  std::string_view of_text = pair.value;
+  if (key.number) {
+    const auto [length, unit] = header_length(pair.key, pair.value);
+    this->*key.number = length;
+    if (key.same_number) this->*key.same_number = length;
+    of_text = unit;
   }
+  if (key.text) this->*key.text = of_text;
+  if (key.same_text) this->*key.same_text = of_text;
+  if (key.role == Role::no_data) no_data = field_number(pair.value);
+  names_kind |= key.role == Role::kind;
 }
 
 void TextHeader::read_counts(std::string_view line) {
@@ -268,10 +140,10 @@ void TextHeader::read_counts(std::string_view line) {
     const auto word = before.find_last_of(" \t,;(");
     const Key* const key = key_named(word == std::string_view::npos ? before : before.substr(word + 1));
     if (!key) continue;
-    if (key->meaning == Meaning::size && !size) size = two_counts(value);
+    if (key->role == Role::size && !size) size = two_counts(value);
     if (const auto count = leading_count(value)) {
-      if (key->meaning == Meaning::rows) rows = count;
-      if (key->meaning == Meaning::columns) columns = count;
+      if (key->role == Role::rows) rows = count;
+      if (key->role == Role::columns) columns = count;
     }
   }
   // "4 rows, 5 columns"
@@ -282,8 +154,8 @@ void TextHeader::read_counts(std::string_view line) {
     const auto gap = std::min(part.find(' '), part.size());
     const auto count = header_count(part.substr(0, gap));
     const Key* const key = count ? key_named(part.substr(gap)) : nullptr;
-    if (key && key->meaning == Meaning::rows) rows = count;
-    if (key && key->meaning == Meaning::columns) columns = count;
+    if (key && key->role == Role::rows) rows = count;
+    if (key && key->role == Role::columns) columns = count;
   }
 }
 
@@ -295,7 +167,7 @@ bool TextHeader::read_comment(std::string_view line) {
     return false;
   }
   read_pair(*key, *pair);
-  return key->meaning == Meaning::channel || key->meaning == Meaning::width || key->meaning == Meaning::kind;
+  return key->role == Role::channel || key->role == Role::width || key->role == Role::kind;
 }
 
 bool TextHeader::read_line(std::string_view line) {
@@ -312,7 +184,7 @@ bool TextHeader::read_line(std::string_view line) {
   }
   const Key* const key = key_named(pair->key);
   if (!key) return listing;
-  listing |= key->meaning == Meaning::kind;
+  listing |= key->role == Role::kind;
   if (key->counts()) {
     read_counts(std::string(pair->key) + "=" + std::string(pair->value));
   } else {
@@ -328,10 +200,8 @@ void TextHeader::apply(double unit, Surface& surface) const {
   const bool other_size = size && *size != std::pair{surface.nx, surface.ny} && *size != std::pair{surface.ny, surface.nx};
   if (other || other_size) {
     const auto stated = size.value_or(std::pair{columns.value_or(surface.nx), rows.value_or(surface.ny)});
-    throw Error(
-        format("the header says %lld x %lld points, but there are %lld rows of %lld values; the file is truncated or damaged",
-               static_cast<long long>(stated.first), static_cast<long long>(stated.second), static_cast<long long>(surface.ny),
-               static_cast<long long>(surface.nx)));
+    throw Error("the header says ", stated.first, " x ", stated.second, " points, but there are ", surface.ny, " rows of ",
+                surface.nx, " values; the file is truncated or damaged");
   }
   // SPIP leaves out the unit of lateral lengths, which is nm.
   const double lateral = names_kind && !pixel_x ? 1e-9 : unit;

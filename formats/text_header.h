@@ -11,7 +11,7 @@
 namespace rc::formats {
 
 struct TextHeader {
-  enum class Meaning;
+  enum class Role;
   struct Key;
   struct Split;
 

@@ -5,6 +5,7 @@
 
 #include "formats/error.h"
 #include "formats/numbers.h"
+#include "formats/readers.h"
 #include "formats/wording.h"
 
 namespace rc::formats {
@@ -78,8 +79,7 @@ std::optional<double> field_number(std::string_view field) {
 bool is_missing_mark(std::string_view text) {
   text = without_quotes(text);
   if (text.size() > 9 || text.empty()) return false;
-  std::string lower{text};
-  std::ranges::transform(lower, lower.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  const std::string lower = lower_case(text);
   // The last ones are what Microsoft's C library writes for NaN and infinity.
   for (const std::string_view mark : {"nan", "bad", "no data", "n/a", "#n/a", "void", "masked", "1.#qnan", "1.#ind", "1.#inf"}) {
     if (lower == mark || (lower.front() == '-' && lower.substr(1) == mark)) return true;
@@ -96,8 +96,8 @@ void check_text(std::string_view file) {
     return code < 0x20 && std::string_view("\t\n\v\f\r\x1a").find(c) == std::string_view::npos;
   });
   if (odd == begin.end()) return;
-  throw Error("the file is binary, not text: byte " + std::to_string(odd - begin.begin()) + " is " +
-              std::to_string(static_cast<int>(static_cast<unsigned char>(*odd))) + "; " + std::string(other_readers));
+  throw Error("the file is binary, not text: byte ", odd - begin.begin(), " is ", static_cast<unsigned char>(*odd), "; ",
+              other_readers);
 }
 
 }  // namespace rc::formats

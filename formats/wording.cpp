@@ -1,21 +1,16 @@
 #include "formats/wording.h"
 
+#include <algorithm>
 #include <cstdarg>
 #include <cstdio>
+
+#include "core/text.h"
 
 namespace rc::formats {
 
 namespace {
 
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
-
-std::string without_controls(std::string_view text) {
-  std::string line{text};
-  for (char& c : line) {
-    if (is_control(c)) c = '?';
-  }
-  return line;
-}
 
 }  // namespace
 
@@ -34,8 +29,15 @@ std::string format(const char* pattern, ...) {
 
 std::string in_quotes(std::string_view text) {
   constexpr std::size_t longest = 60;
-  const std::string shown = without_controls(text.substr(0, longest));
-  return format("\"%s%s\"", shown.c_str(), text.size() > longest ? "..." : "");
+  std::string shown{text.substr(0, longest)};
+  std::ranges::replace_if(shown, is_control, '?');
+  return join('"', shown, text.size() > longest ? "..." : "", '"');
+}
+
+std::string lower_case(std::string_view text) {
+  std::string lower{text};
+  std::ranges::transform(lower, lower.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  return lower;
 }
 
 std::string_view trimmed(std::string_view text) {

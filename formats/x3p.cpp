@@ -46,21 +46,16 @@ std::string_view text_of(const xml_node& node, std::string_view path) { return t
 
 std::string_view needed_text(const xml_node& node, std::string_view path) {
   const auto text = text_of(node, path);
-  if (text.empty()) throw Error("main.xml has no " + std::string(path));
+  if (text.empty()) throw Error("main.xml has no ", path);
   return text;
 }
 
-std::int64_t size_of(const xml_node& record, std::string_view path) {
-  const auto text = needed_text(record, path);
-  const auto value = to_integer(text);
-  if (!value || *value < 1) throw Error(std::string(path) + " " + in_quotes(text) + " is not a whole number from 1 on");
-  return *value;
-}
+std::int64_t size_of(const xml_node& record, std::string_view path) { return whole_number(path, needed_text(record, path)); }
 
 double pitch(const xml_node& axes, const std::string& axis) {
   const auto type = needed_text(axes, axis + "/AxisType");
   if (type != "I") {
-    throw Error(axis + " has AxisType " + in_quotes(type) +
+    throw Error(axis, " has AxisType ", in_quotes(type),
                 ", only maps on a grid (I, incremental) can be read; resample the points on a grid first");
   }
   const std::string key = axis + "/Increment";
@@ -75,7 +70,7 @@ struct HeightAxis {
 HeightAxis height_axis(const xml_node& axes) {
   const auto type = needed_text(axes, "CZ/DataType");
   if (type.size() != 1 || std::string_view("ILFD").find(type[0]) == std::string_view::npos)
-    throw Error("CZ/DataType " + in_quotes(type) + " is not known, known are I, L, F and D");
+    throw Error("CZ/DataType ", in_quotes(type), " is not known, known are I, L, F and D");
   const auto increment = text_of(axes, "CZ/Increment"), offset = text_of(axes, "CZ/Offset");
   HeightAxis axis{type[0], 1, 0};
   if (!increment.empty()) axis.increment = file_length("CZ/Increment", finite_number("CZ/Increment", increment));
@@ -88,7 +83,7 @@ void check_marks(std::string_view xml, std::uint64_t file_size) {
   const auto marks = static_cast<std::uint64_t>(std::ranges::count_if(xml, [](char c) { return c == '<' || c == '='; }));
   const std::uint64_t most = std::min(most_marks, few_marks + marks_per_byte * file_size);
   if (marks <= most) return;
-  throw Error("main.xml has " + std::to_string(marks) + " tags and attributes, at most " + std::to_string(most) +
+  throw Error("main.xml has ", marks, " tags and attributes, at most ", most,
               " can be read of a file of that size; store the heights in a binary file");
 }
 
@@ -102,7 +97,7 @@ std::size_t linked_entry(const std::vector<std::string>& names, const std::strin
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (names[i] == path) return i;
   }
-  throw Error("main.xml names the data file " + in_quotes(given) + ", which is not in the archive");
+  throw Error("main.xml names the data file ", in_quotes(given), ", which is not in the archive");
 }
 
 // One bit a point, the lowest first; 0: missing.
@@ -117,9 +112,8 @@ void read_binary(std::string_view data, const HeightAxis& z, Surface& surface) {
   const std::size_t points = data_size(surface.nx, surface.ny, 1, data.size());
   const std::size_t width = data.size() / points;
   if (width * points != data.size() || (width != least_width && width != 4 && width != largest_width)) {
-    throw Error(
-        format("the header says %lld x %lld points, but the data file has %zu bytes, not 2, 4 or 8 for each; it is truncated",
-               static_cast<long long>(surface.nx), static_cast<long long>(surface.ny), data.size()));
+    throw Error("the header says ", surface.nx, " x ", surface.ny, " points, but the data file has ", data.size(),
+                " bytes, not 2, 4 or 8 for each; it is truncated");
   }
   const auto height = [&z](auto raw) { return z.increment * static_cast<double>(raw) + z.offset; };
   const bool whole = z.type == 'I' || z.type == 'L';
@@ -135,12 +129,11 @@ void read_list(const xml_node& list, const HeightAxis& z, std::size_t points, Su
     if (local_name(datum) != "Datum") continue;
     const auto text = trimmed(split(datum.child_value(), ';').back());
     const auto value = text.empty() ? missing_height : to_number(text);
-    if (!value) throw Error("Datum " + std::to_string(surface.heights.size() + 1) + ": " + in_quotes(text) + " is not a number");
+    if (!value) throw Error("Datum ", surface.heights.size() + 1, ": ", in_quotes(text), " is not a number");
     surface.heights.push_back(z.increment * *value + z.offset);
   }
   if (surface.heights.size() != points) {
-    throw Error(format("the header says %lld x %lld points, but the list has %zu", static_cast<long long>(surface.nx),
-                       static_cast<long long>(surface.ny), surface.heights.size()));
+    throw Error("the header says ", surface.nx, " x ", surface.ny, " points, but the list has ", surface.heights.size());
   }
 }
 
@@ -157,20 +150,20 @@ Surface read_x3p(std::string_view file, double) {
   check_marks(xml, file.size());
   pugi::xml_document document;  // it keeps pointers into `xml`
   if (const auto parsed = document.load_buffer_inplace(xml.data(), xml.size()); !parsed) {
-    throw Error(std::string("main.xml is not XML: ") + parsed.description() + " at byte " + std::to_string(parsed.offset));
+    throw Error("main.xml is not XML: ", parsed.description(), " at byte ", parsed.offset);
   }
   const xml_node root = document.document_element();
   const xml_node axes = below(root, "Record1/Axes"), record = below(root, "Record3");
   if (const auto type = needed_text(root, "Record1/FeatureType"); type != "SUR") {
-    throw Error("FeatureType is " + in_quotes(type) + ", only SUR (a surface) can be read" +
-                (type == "PRF" ? "; PRF is a profile" : ""));
+    throw Error("FeatureType is ", in_quotes(type), ", only SUR (a surface) can be read",
+                type == "PRF" ? "; PRF is a profile" : "");
   }
 
   Surface surface;
   surface.nx = size_of(record, "MatrixDimension/SizeX");
   surface.ny = size_of(record, "MatrixDimension/SizeY");
   if (const auto layers = size_of(record, "MatrixDimension/SizeZ"); layers != 1)
-    throw Error("the file has " + std::to_string(layers) + " layers, one is needed");
+    throw Error("the file has ", layers, " layers, one is needed");
   surface.hx = pitch(axes, "CX");
   surface.hy = pitch(axes, "CY");
   const HeightAxis z = height_axis(axes);

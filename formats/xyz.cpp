@@ -27,8 +27,7 @@ bool begins_with_number(std::string_view line) { return line.find_first_of("0123
 double coordinate(std::string_view text, std::int64_t line, const char* name) {
   const auto value = field_number(text);
   if (value && std::isfinite(*value)) return *value;
-  throw Error(
-      format("line %lld: %s %s is not a finite number", static_cast<long long>(line), name, in_quotes(trimmed(text)).c_str()));
+  throw Error("line ", line, ": ", name, " ", in_quotes(trimmed(text)), " is not a finite number");
 }
 
 Points parse_points(std::string_view file) {
@@ -43,7 +42,7 @@ Points parse_points(std::string_view file) {
     const auto parts = row_fields(line);
     const bool no_data = parts.size() == 4 && is_missing_mark(std::string(parts[2]) + " " + std::string(parts[3]));
     if (parts.size() != 3 && !no_data) {
-      throw Error("line " + std::to_string(number) + " has " + std::to_string(parts.size()) +
+      throw Error("line ", number, " has ", parts.size(),
                   " columns, three are needed: x, y and z; give the format text if this is a matrix");
     }
     points.x.push_back(coordinate(parts[0], number, "x"));
@@ -62,11 +61,8 @@ Surface read_xyz(std::string_view file, double unit) {
   const std::int64_t most_nodes = most_nodes_per_point * count;
   const GridAxis x = find_grid_axis(points.x, most_nodes, "x"), y = find_grid_axis(points.y, most_nodes, "y");
   if (y.count > most_nodes / x.count) {
-    throw Error(
-        format("the %lld points span a grid of %lld x %lld nodes, of which less than one in %lld has a point; "
-               "interpolate them on a grid first",
-               static_cast<long long>(count), static_cast<long long>(x.count), static_cast<long long>(y.count),
-               static_cast<long long>(most_nodes_per_point)));
+    throw Error("the ", count, " points span a grid of ", x.count, " x ", y.count, " nodes, of which less than one in ",
+                most_nodes_per_point, " has a point; interpolate them on a grid first");
   }
 
   Surface surface;
@@ -80,8 +76,8 @@ Surface read_xyz(std::string_view file, double unit) {
   for (std::size_t i = 0; i < points.z.size(); ++i) {
     const auto node = static_cast<std::size_t>(y.index[i] * x.count + x.index[i]);
     if (taken[node]) {
-      throw Error(format("two points are at x = %g, y = %g, node %lld, %lld of the grid; remove one", points.x[i], points.y[i],
-                         static_cast<long long>(x.index[i]), static_cast<long long>(y.index[i])));
+      throw Error("two points are at x = ", rc::in_digits(points.x[i], 6), ", y = ", rc::in_digits(points.y[i], 6), ", node ",
+                  x.index[i], ", ", y.index[i], " of the grid; remove one");
     }
     taken[node] = true;
     surface.heights[node] = unit * points.z[i];

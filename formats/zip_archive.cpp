@@ -38,11 +38,11 @@ ZipArchive::ZipArchive(std::string_view bytes) {
   zip_error_t error;
   zip_error_init(&error);
   zip_source_t* const source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
-  if (!source) throw Error("cannot be opened as a zip archive: " + message(error));
+  if (!source) throw Error("cannot be opened as a zip archive: ", message(error));
   archive_.reset(zip_open_from_source(source, ZIP_RDONLY, &error));
   if (!archive_) {
     zip_source_free(source);
-    throw Error("cannot be opened as a zip archive: " + message(error) + "; it may be truncated");
+    throw Error("cannot be opened as a zip archive: ", message(error), "; it may be truncated");
   }
   zip_error_fini(&error);
 
@@ -58,23 +58,20 @@ std::string ZipArchive::contents(std::size_t entry, std::uint64_t most) const {
   zip_stat_t stat;
   zip_stat_init(&stat);
   constexpr zip_uint64_t needed = ZIP_STAT_SIZE | ZIP_STAT_COMP_SIZE | ZIP_STAT_COMP_METHOD;
-  if (zip_stat_index(archive_.get(), entry, 0, &stat) != 0 || (stat.valid & needed) != needed)
-    throw Error(where + " has no size");
+  if (zip_stat_index(archive_.get(), entry, 0, &stat) != 0 || (stat.valid & needed) != needed) throw Error(where, " has no size");
   if (stat.comp_method != ZIP_CM_STORE && stat.comp_method != ZIP_CM_DEFLATE) {
-    throw Error(where + " is compressed by method " + std::to_string(stat.comp_method) +
-                ", only deflate can be read; pack it anew");
+    throw Error(where, " is compressed by method ", stat.comp_method, ", only deflate can be read; pack it anew");
   }
   if (stat.comp_size > (std::uint64_t{1} << 60) || stat.size > largest_ratio * stat.comp_size + zip_slack) {
-    throw Error(where + " claims " + std::to_string(stat.size) + " bytes, more than " + std::to_string(stat.comp_size) +
+    throw Error(where, " claims ", stat.size, " bytes, more than ", stat.comp_size,
                 " compressed ones can hold; the file is damaged");
   }
   if (stat.size > most) {
-    throw Error(where + " unpacks to " + std::to_string(stat.size) + " bytes, more than the " + std::to_string(most) +
-                " that are read of it; the file is damaged");
+    throw Error(where, " unpacks to ", stat.size, " bytes, more than the ", most, " that are read of it; the file is damaged");
   }
 
   const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> stream{zip_fopen_index(archive_.get(), entry, 0), zip_fclose};
-  if (!stream) throw Error(where + " cannot be read: " + zip_strerror(archive_.get()));
+  if (!stream) throw Error(where, " cannot be read: ", zip_strerror(archive_.get()));
   std::string bytes;
   bytes.reserve(stat.size);
   char block[1 << 16];
@@ -83,10 +80,9 @@ std::string ZipArchive::contents(std::size_t entry, std::uint64_t most) const {
     bytes.append(block, static_cast<std::size_t>(count));
     if (bytes.size() > stat.size) break;
   }
-  if (count < 0) throw Error(where + " cannot be read: " + zip_file_strerror(stream.get()));
+  if (count < 0) throw Error(where, " cannot be read: ", zip_file_strerror(stream.get()));
   if (bytes.size() != stat.size) {
-    throw Error(where + " has " + std::to_string(bytes.size()) + " bytes, its directory says " + std::to_string(stat.size) +
-                "; the file is damaged");
+    throw Error(where, " has ", bytes.size(), " bytes, its directory says ", stat.size, "; the file is damaged");
   }
   return bytes;
 }

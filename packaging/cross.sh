@@ -12,7 +12,8 @@ case ${1:-} in --smoke | --test) what=$1; shift ;; esac
 [ $# -gt 0 ] || { sed -n '2,8s/^# //p' "$0"; exit 2; }
 tree=$(cd "$(dirname "$0")/.." && pwd)
 cd "$tree"
-[ "$*" != all ] || set -- $(cd packaging/cross && printf '%s\n' *.cmake | sed 's/\.cmake$//')
+# i686 is no system of packages: it is built for its 32 bits.
+[ "$*" != all ] || set -- $(cd packaging/cross && printf '%s\n' *.cmake | sed 's/\.cmake$//' | grep -vx i686)
 dependencies=$(realpath -m "${RC_CROSS_DEPENDENCIES:-build-cross/dependencies}")
 version=$(sed -nE 's/^project\(roughcontact VERSION ([0-9.]+).*/\1/p' CMakeLists.txt)
 # Wine's folder lies outside of the tree: it has a link to /, which what walks the tree to make an archive would follow.
@@ -94,7 +95,7 @@ everything() {
   [ "$1" != musl ] || kind=("-DRC_BUILTIN_BACKENDS=dense;fft" -DRC_MODULE_BACKENDS=split -DRC_STATIC_COMMAND=ON) \
     c_library=(/usr/share/doc/musl/copyright)
   quietly "build-cross/$1-dependencies.log" packaging/cross/dependencies.sh "$1" "$dependencies"
-  configure "$1" "$build" -DRC_BUILD_TESTS=$tests -DRC_BUILD_EXAMPLES=$tests "${kind[@]}" -DRC_WRITE_NETCDF=OFF -DRC_WRITE_HDF5=OFF
+  configure "$1" "$build" -DRC_BUILD_TESTS=$tests -DRC_BUILD_EXAMPLES=$tests "${kind[@]}" -DRC_WRITE_NETCDF=OFF
   quietly "$build.log" cmake --build "$build" -j "$(nproc)"
   rm -rf "$build-root"
   quietly "$build.log" cmake --install "$build" --strip --prefix "$build-root/$name"

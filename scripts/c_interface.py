@@ -67,10 +67,15 @@ def preprocessed(headers: List[str], include: pathlib.Path, cc: str) -> Tuple[st
             (pathlib.Path(folder) / name).write_text(text)
         source = "".join(f'#include "{header}"\n' for header in headers)
         command = [cc, "-E", "-dD", "-nostdinc", "-DRC_API=", "-I", folder, "-I", str(include), "-x", "c", "-"]
-        run = subprocess.run(command, input=source, stdout=subprocess.PIPE, text=True, check=True)
+
+        def run(text: str) -> str:
+            return subprocess.run(command, input=text, stdout=subprocess.PIPE, text=True, check=True).stdout
+
+        begun = re.findall(r"^#define (RC_\w+)_INIT ", run(source), re.MULTILINE)
+        expanded = run(source + "".join(f"{name.lower()} {name.lower()}_initial = {name}_INIT;\n" for name in begun))
     file, kept = "", []
     macros: Dict[str, Dict[str, str]] = collections.defaultdict(dict)
-    for line in run.stdout.splitlines():
+    for line in expanded.splitlines():
         marker = re.match(r'# \d+ "(.*?)"', line)
         macro = re.match(r"#define (\w+) (.+)", line)
         if marker:
@@ -84,8 +89,6 @@ def preprocessed(headers: List[str], include: pathlib.Path, cc: str) -> Tuple[st
 def read(headers: List[str], include: pathlib.Path, cc: str, before: Optional[Interface] = None) -> Interface:
     """The Interface of these headers, without what the one before it has."""
     text, macros = preprocessed(headers, include, cc)
-    initial = {name[:-5].lower(): body for bodies in macros.values() for name, body in bodies.items() if name.endswith("_INIT")}
-    text += "".join(f"\n{struct} {struct}_initial = {body};" for struct, body in initial.items())
     expression = c_generator.CGenerator().visit
 
     def type_of(node: Any) -> Type:
@@ -110,11 +113,7 @@ def read(headers: List[str], include: pathlib.Path, cc: str, before: Optional[In
     others = set(found.files)
     found.files |= set(macros)
     tree = pycparser.CParser().parse(text)
-    values = {
-        node.name: [expression(each) for each in node.init.exprs]
-        for node in tree.ext
-        if isinstance(node, c_ast.Decl) and node.init
-    }
+    values = {node.name: node.init.exprs for node in tree.ext if isinstance(node, c_ast.Decl) and node.init}
     for node in tree.ext:
         found.files.add(node.coord.file)
         if node.coord.file in others:
@@ -122,8 +121,12 @@ def read(headers: List[str], include: pathlib.Path, cc: str, before: Optional[In
         if isinstance(node, c_ast.Typedef) and isinstance(node.type.type, c_ast.Struct) and node.type.type.decls:
             members = [(each.name, type_of(each.type)) for each in node.type.type.decls]
             names = [name for name, _ in members]
-            begun = zip(names, values.get(f"{node.name}_initial", []))
-            numbers = {name: value for name, value in begun if not value.startswith(('"', "{"))}  # of arrays: zeros
+            numbers = {}  # of arrays: zeros
+            for name, value in zip(names, values.get(f"{node.name}_initial", [])):
+                if isinstance(value, c_ast.NamedInitializer):
+                    name, value = value.name[0].name, value.expr
+                if not expression(value).startswith(('"', "{")):
+                    numbers[name] = expression(value)
             found.types[node.name] = Struct(node.name, members, numbers)
         elif isinstance(node, c_ast.Typedef) and isinstance(node.type, c_ast.PtrDecl):
             found.types[node.name] = function_of(node.type.type)

@@ -26,24 +26,28 @@ SOURCES = {
     "src/contact/proof/certificate.cpp": ALL,
     "src/contact/proof/bounds.cpp": ALL,
     "src/contact/proof/survey.cpp": ALL,
-    "src/contact/proof/spectrum.cpp": ALL,
+    "src/contact/spectrum.cpp": ALL,
     "src/kernel/lowest_eigenvalue.cpp": ALL,
-    "src/contact/step/target.cpp": ("residual_scale",),
-    "src/contact/proof/result.cpp": (
+    "src/contact/target.cpp": ("residual_scale",),
+    "src/contact/proof/certified.cpp": (
         "only_unknowns_matter",
-        "certify_and_fill",
+        "check_definite",
+        "totals_of",
+        "certified_numbers",
         "write_arrays",
         "fitting_compression",
+        "deflection",
         "certify_given",
     ),
+    "src/contact/proof/result.cpp": ("write",),
 }
 # Headers, with the file that each of their functions is compiled in.
 TERMS = "src/core/certificate_terms.h"
 INLINE = {
     TERMS: {
         "src/contact/proof/certificate.cpp": ("relative_violation", "primal_violation", "room_below", "dual_violation", "complementarity_violation"),
-        "src/contact/proof/result.cpp": ("load_imbalance",),
-        "src/contact/step/target.cpp": ("periodic_scale_by_load", "periodic_scale_by_approach", "beyond_mean_plane"),
+        "src/contact/proof/certified.cpp": ("load_imbalance",),
+        "src/contact/target.cpp": ("residual_scale", "beyond_mean_plane"),
     }
 }
 TRAPS = ("-fsanitize=bounds", "-fsanitize-undefined-trap-on-error")  # places beyond the end of an array

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "abi/own_guard.h"
 #include "cmr_advice.h"
 #include "grid/downsample.h"
-#include "guard.h"
 #include "midpoint.h"
 #include "peaks.h"
 #include "power_law.h"
@@ -19,6 +19,10 @@
 namespace rc::surface {
 
 namespace {
+
+struct Library;
+
+template <class Body> rc_status guard(const char* where, const Body& body) { return own_guard<Library>(where, body); }
 
 void check_rmd(const rc_surface_rmd_spec& spec, std::int32_t stage, std::int32_t crop) {
   if (spec.levels < 1 || spec.levels > 14) fail(RC_ERR_ARGUMENT, "levels = ", spec.levels, " is not in 1 .. 14");
@@ -86,7 +90,7 @@ rc_surface_power_law judge(const Heights& heights) {
 using namespace rc;           // NOLINT: this file is the bridge
 using namespace rc::surface;  // NOLINT
 
-const char* rc_surface_last_error(void) { return rc::surface::last_message(); }
+const char* rc_surface_last_error(void) { return own_message<rc::surface::Library>; }
 
 rc_status rc_surface_rmd(const rc_surface_rmd_spec* given, int32_t stage, int32_t crop, double* out) {
   return guard("rc_surface_rmd", [&] {

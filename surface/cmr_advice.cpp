@@ -59,15 +59,6 @@ std::vector<double> refined(const Grid& coarse, std::int64_t nx, std::int64_t ny
   return fine;
 }
 
-double variance(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double value : values) sum += value;
-  const double mean = sum / static_cast<double>(values.size());
-  double squares = 0;
-  for (const double value : values) squares += (value - mean) * (value - mean);
-  return squares / static_cast<double>(values.size());
-}
-
 // The cascade of block means, finest first.
 std::vector<Grid> cascade(const Heights& heights, std::int32_t levels) {
   std::vector<Grid> grids{{heights.nx, heights.ny, heights.z}};

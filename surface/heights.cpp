@@ -82,6 +82,13 @@ Heights read_heights(const rc_surface_map* given) {
   return heights;
 }
 
+double variance(const std::vector<double>& values) {
+  const double middle = mean(values);
+  double squares = 0;
+  for (const double value : values) squares += (value - middle) * (value - middle);
+  return squares / static_cast<double>(values.size());
+}
+
 double mean_square(const std::vector<double>& values) {
   double sum = 0;
   for (const double value : values) sum += value * value;

@@ -22,6 +22,7 @@ struct Heights {
 // Throws an Error that says what is wrong with the map.
 Heights read_heights(const rc_surface_map* map);
 
+double variance(const std::vector<double>& values);
 double mean_square(const std::vector<double>& values);
 
 // The third or fourth moment over a power of the rms; NaN where all values are 0.

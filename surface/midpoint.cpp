@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "gaussian.h"
+#include "heights.h"
 
 namespace rc::surface {
 
@@ -81,14 +82,6 @@ class Vertices {
   double deviation_ = 0;
 };
 
-double rms(const std::vector<double>& z) {
-  const double n = static_cast<double>(z.size());
-  double sum = 0, squares = 0;
-  for (const double value : z) sum += value;
-  for (const double value : z) squares += (value - sum / n) * (value - sum / n);
-  return std::sqrt(squares / n);
-}
-
 }  // namespace
 
 std::vector<double> midpoint_displacement(const rc_surface_rmd_spec& given, int stage) {
@@ -98,7 +91,7 @@ std::vector<double> midpoint_displacement(const rc_surface_rmd_spec& given, int 
   // All stages draw from one random sequence, coarse ones first, so a stage does not depend on those after it.
   spec.sigma = 1;
   std::vector<double> z = Vertices(spec, spec.levels).take();
-  const double scale = spec.rms_height / rms(z);
+  const double scale = spec.rms_height / std::sqrt(variance(z));
   if (stage < spec.levels) z = Vertices(spec, stage).take();
   for (double& value : z) value *= scale;
   return z;

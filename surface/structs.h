@@ -9,18 +9,6 @@
 
 #include "abi/sized_struct.h"
 
-namespace rc {
-
-RC_FIRST_SIZE(rc_surface_rmd_spec, rms_height, 48);
-RC_FIRST_SIZE(rc_surface_spectral_spec, reserved, 104);
-RC_FIRST_SIZE(rc_surface_shape_spec, period_y, 88);
-RC_FIRST_SIZE(rc_surface_map, trend, 56);
-RC_FIRST_SIZE(rc_surface_statistics, nayak, 112);
-RC_FIRST_SIZE(rc_surface_power_law, peak_share, 176);
-RC_FIRST_SIZE(rc_surface_cmr, reason, 472);
-
-}  // namespace rc
-
 namespace rc::surface {
 
 inline constexpr double no_value = std::numeric_limits<double>::quiet_NaN();

@@ -1,9 +1,25 @@
 #include "library.h"
 
-#include "error.h"
+#include <algorithm>
+#include <cstdlib>
+
+#include "formats/error.h"
+#include "formats/numbers.h"
+#include "platform/terminal.h"
 #include "text.h"
 
 namespace cli {
+
+namespace {
+
+// The message without the name of the C function that it begins with.
+std::string_view without_function(std::string_view message) {
+  if (!message.starts_with("rc_")) return message;
+  const auto colon = message.find_first_not_of("abcdefghijklmnopqrstuvwxyz_");
+  return colon == message.npos || message[colon] != ':' ? message : trimmed(message.substr(colon + 1));
+}
+
+}  // namespace
 
 Context::Context() {
   rc_context_config config = RC_CONTEXT_CONFIG_INIT;
@@ -26,9 +42,25 @@ void Context::log(int32_t level, const char* message, void* user) {
 
 void check(rc_status status, std::string_view subject) {
   if (status >= 0) return;
-  std::string message = last_message();
-  if (message.empty()) message = rc_status_text(status);
-  throw Error(subject.empty() ? message : std::string(subject) + ": " + message);
+  const std::string message = last_message();
+  throw Error(subject, subject.empty() ? "" : ": ", message.empty() ? rc_status_text(status) : message);
+}
+
+void check_surface(rc_status status, std::string_view subject) {
+  if (status != RC_OK) throw Error(subject, subject.empty() ? "" : ": ", without_function(rc_surface_last_error()));
+}
+
+std::vector<rc_component> components(const Context& context, Count count, Describe describe) {
+  std::vector<rc_component> found(static_cast<std::size_t>(count(context.get())), RC_COMPONENT_INIT);
+  for (std::size_t i = 0; i < found.size(); ++i) check(describe(context.get(), static_cast<int64_t>(i), &found[i]), "");
+  return found;
+}
+
+std::vector<rc_option_spec> option_specs(const Context& context) {
+  std::vector<rc_option_spec> found(static_cast<std::size_t>(rc_options_count(context.get())), RC_OPTION_SPEC_INIT);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    check(rc_options_describe(context.get(), static_cast<int64_t>(i), &found[i]), "");
+  return found;
 }
 
 Options make_options(const Context& context, int threads, const std::vector<std::pair<std::string, std::string>>& settings) {
@@ -40,12 +72,17 @@ Options make_options(const Context& context, int threads, const std::vector<std:
   return options;
 }
 
-std::string last_message() {
-  const std::string_view message = rc_last_error();
-  if (!message.starts_with("rc_")) return std::string(message);
-  const auto colon = message.find_first_not_of("abcdefghijklmnopqrstuvwxyz_");
-  if (colon == std::string_view::npos || message[colon] != ':') return std::string(message);
-  return std::string(trimmed(message.substr(colon + 1)));
+std::string last_message() { return std::string(without_function(rc_last_error())); }
+
+int default_threads(std::int64_t points) {
+  constexpr std::int64_t most = 1024, points_each = 16384;  // of option threads; fewer points gain nothing
+  std::int64_t cores = std::min<std::int64_t>(rc_platform::usable_cores(), most);
+  for (const char* const name : {"OMP_THREAD_LIMIT", "OMP_NUM_THREADS"}) {
+    const char* const text = std::getenv(name);
+    const std::int64_t limit = text ? to_integer(text).value_or(0) : 0;
+    if (limit > 0) cores = std::min(cores, limit);
+  }
+  return static_cast<int>(std::max<std::int64_t>(1, std::min(cores, points / points_each)));
 }
 
 }  // namespace cli

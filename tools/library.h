@@ -2,6 +2,7 @@
 #pragma once
 
 #include <roughcontact/registry.h>
+#include <roughcontact/surface.h>
 
 #include <memory>
 #include <string>
@@ -33,13 +34,25 @@ class Context {
   std::unique_ptr<rc_context, Destroy<rc_context_destroy>> handle_;
 };
 
+// The backends, solvers or kernels of a registry, and its options.
+using Count = int64_t (*)(rc_context*);
+using Describe = rc_status (*)(rc_context*, int64_t, rc_component*);
+std::vector<rc_component> components(const Context& context, Count count, Describe describe);
+std::vector<rc_option_spec> option_specs(const Context& context);
+
 // Throws an Error with the library's own text if the call failed; `subject` ("--tol", "step 3") opens the message.
 void check(rc_status status, std::string_view subject);
+// The same for a call of libroughcontact-surface.
+void check_surface(rc_status status, std::string_view subject = "");
 
 // The defaults of the registry, but for the threads; then these keys and values, of which later ones win.
 Options make_options(const Context& context, int threads, const std::vector<std::pair<std::string, std::string>>& settings);
 
 // The calling thread's last message, without the name of the C function, which means nothing on a command line.
 std::string last_message();
+
+// One for each 16384 points of a grid, at least 1, not more than the cores that the process may use, OMP_THREAD_LIMIT and
+// OMP_NUM_THREADS; as in Python.
+int default_threads(std::int64_t points);
 
 }  // namespace cli

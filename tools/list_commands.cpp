@@ -32,17 +32,11 @@ void print_rows(const std::vector<Row>& rows) {
   }
 }
 
-using Count = int64_t (*)(rc_context*);
-using Describe = rc_status (*)(rc_context*, int64_t, rc_component*);
-
 void list_components(Count count, Describe describe) {
   Context context;
   std::vector<Row> rows{{"name", "summary", "license", "origin"}};
-  for (int64_t i = 0, n = count(context.get()); i < n; ++i) {
-    rc_component component = RC_COMPONENT_INIT;
-    check(describe(context.get(), i, &component), "");
-    rows.push_back({component.name, component.summary, component.license, component.origin});
-  }
+  for (const rc_component& each : components(context, count, describe))
+    rows.push_back({each.name, each.summary, each.license, each.origin});
   context.report_log();
   print_rows(rows);
   if (!rc_platform::loads_plugins()) report("this command is linked statically and loads no plugins; these are all it has");
@@ -64,15 +58,18 @@ void list_backends() { list_components(rc_backend_count, rc_backend_describe); }
 void list_solvers() { list_components(rc_solver_count, rc_solver_describe); }
 void list_kernels() { list_components(rc_kernel_count, rc_kernel_describe); }
 
-void list_options() {
+std::vector<Row> option_rows() {
   Context context;
-  std::vector<Row> rows{{"key", "type", "default", "allowed", "meaning"}};
-  for (int64_t i = 0, n = rc_options_count(context.get()); i < n; ++i) {
-    rc_option_spec option = RC_OPTION_SPEC_INIT;
-    check(rc_options_describe(context.get(), i, &option), "");
-    rows.push_back({option.key, type_name(option.type), option.default_value, allowed_values(option), option.help});
-  }
+  std::vector<Row> rows;
+  for (const rc_option_spec& each : option_specs(context))
+    rows.push_back({each.key, type_name(each.type), each.default_value, allowed_values(each), each.help});
   context.report_log();
+  return rows;
+}
+
+void list_options() {
+  std::vector<Row> rows = option_rows();
+  rows.insert(rows.begin(), {"key", "type", "default", "allowed", "meaning"});
   print_rows(rows);
 }
 

@@ -2,7 +2,13 @@
 // tables on standard output.
 #pragma once
 
+#include <string>
+#include <vector>
+
 namespace cli {
+
+// Key, type, default, allowed values and meaning of every option.
+std::vector<std::vector<std::string>> option_rows();
 
 void list_backends();
 void list_solvers();

@@ -8,13 +8,13 @@
 
 #include "arguments/command_line.h"
 #include "arguments/completion.h"
+#include "arguments/manual.h"
 #include "arguments/parser.h"
 #include "list_commands.h"
 #include "platform/libraries.h"
 #include "platform/terminal.h"
 #include "solve/interrupt.h"
 #include "solve/solve_command.h"
-#include "standard_streams.h"
 #include "text.h"
 
 namespace cli {
@@ -39,6 +39,10 @@ int run(const std::vector<std::string>& words) {
   command.version = version();
   if (!words.empty() && words[0] == "complete") {
     cli::complete(command, {words.begin() + 1, words.end()});
+    return cli::exit_certified;
+  }
+  if (words == std::vector<std::string>{"manual"}) {
+    std::fputs(cli::manual(command).c_str(), stdout);
     return cli::exit_certified;
   }
 

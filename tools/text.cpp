@@ -1,6 +1,8 @@
 #include "text.h"
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 
 namespace cli {
 
@@ -17,6 +19,17 @@ void report(std::string_view text) {
   for (const char c : std::string_view(": ")) put(c);
   for (const char c : text) put(static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c);
   put('\n');
+}
+
+bool finish_standard_output() {
+  const bool failed_before = std::ferror(stdout) != 0;
+  errno = 0;
+  if (std::fflush(stdout) == 0 && !failed_before) return true;
+  char text[200];
+  std::snprintf(text, sizeof text, "cannot write to standard output: %s",
+                errno ? std::strerror(errno) : "lines are missing there");
+  report(text);
+  return false;
 }
 
 }  // namespace cli

@@ -15,4 +15,7 @@ extern const char command_name[];
 // Writes "NAME: text" as exactly one line to standard error. Allocates nothing.
 void report(std::string_view text);
 
+// Whether everything printed to standard output was written; reports it if not.
+bool finish_standard_output();
+
 }  // namespace cli

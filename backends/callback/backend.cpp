@@ -64,29 +64,9 @@ class Callback {
   std::vector<double> full_x_, full_y_;
 };
 
-using Functions = roughcontact::Functions<Callback>;
-
-const rc_backend backend = {.struct_size = sizeof(rc_backend),
-                            .name = "callback",
-                            .summary = "the caller's own product",
-                            .license = "BSD-3-Clause",
-                            .caps = RC_CAP_CALLBACK,
-                            .n_options = 0,
-                            .create = Functions::create,
-                            .destroy = Functions::destroy,
-                            .bind = Functions::bind,
-                            .apply = Functions::apply,
-                            .field = Functions::field,
-                            .modelled = Functions::modelled,
-                            .score = Functions::score};
-const rc_backend* const backends[] = {&backend};
-const rc_plugin plugin = {.struct_size = sizeof(rc_plugin),
-                          .abi_major = RC_PLUGIN_ABI_MAJOR,
-                          .abi_minor = RC_PLUGIN_ABI_MINOR,
-                          .name = "callback",
-                          .version = "0.1.0",
-                          .n_backends = 1,
-                          .backends = backends};
+constexpr rc_backend backend = roughcontact::backend<Callback>("the caller's own product", "BSD-3-Clause", RC_CAP_CALLBACK);
+constexpr const rc_backend* backends[] = {&backend};
+constexpr rc_plugin plugin = roughcontact::plugin("callback", "0.1.0", backends);
 
 }  // namespace
 

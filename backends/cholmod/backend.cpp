@@ -7,8 +7,6 @@ namespace rc_cholmod {
 
 namespace {
 
-using Functions = roughcontact::Functions<Operator>;
-
 const rc_option_spec memory_limit = {.struct_size = sizeof(rc_option_spec),
                                      .key = memory_limit_key,
                                      .default_value = "8192",
@@ -25,32 +23,12 @@ const rc_option_spec near_field = {.struct_size = sizeof(rc_option_spec),
                                    .fixed = 1,
                                    .maximum = 1e6};
 const rc_option_spec* const options[] = {&memory_limit, &near_field};
-const rc_backend backend = {
-    .struct_size = sizeof(rc_backend),
-    .name = "cholmod",
-    .summary = "Cholesky factors by SuiteSparse, of all entries with rows added and deleted or of the near field",
-    .license = "GPL-2.0-or-later AND LGPL-2.1-or-later AND MPL-2.0 AND BSD-3-Clause",
-    .caps = RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_DENSE_INPUT | RC_CAP_SUBSET | RC_CAP_SHIFTED | RC_CAP_NORM,
-    .n_options = 2,
-    .options = options,
-    .create = Functions::create,
-    .destroy = Functions::destroy,
-    .bind = Functions::bind,
-    .apply = Functions::apply,
-    .field = Functions::field,
-    .modelled = Functions::modelled,
-    .subset = Functions::subset,
-    .shifted = Functions::shifted,
-    .norm = Functions::norm,
-    .score = Functions::score};
-const rc_backend* const backends[] = {&backend};
-const rc_plugin plugin = {.struct_size = sizeof(rc_plugin),
-                          .abi_major = RC_PLUGIN_ABI_MAJOR,
-                          .abi_minor = RC_PLUGIN_ABI_MINOR,
-                          .name = "cholmod",
-                          .version = "0.1.0",
-                          .n_backends = 1,
-                          .backends = backends};
+constexpr rc_backend backend = roughcontact::backend<Operator>(
+    "Cholesky factors by SuiteSparse, of all entries with rows added and deleted or of the near field",
+    "GPL-2.0-or-later AND LGPL-2.1-or-later AND MPL-2.0 AND BSD-3-Clause", RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_DENSE_INPUT,
+    options);
+constexpr const rc_backend* backends[] = {&backend};
+constexpr rc_plugin plugin = roughcontact::plugin("cholmod", "0.1.0", backends);
 
 }  // namespace
 

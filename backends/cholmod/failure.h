@@ -8,7 +8,7 @@ namespace rc_cholmod {
 
 // Throws if the caller has asked to stop.
 inline void check_for_stop(const rc_operator_spec& spec) {
-  if (spec.struct_size >= sizeof(rc_operator_spec) && spec.poll) roughcontact::check(spec.poll(&spec));
+  if (spec.poll) roughcontact::check(spec.poll(&spec));
 }
 
 }  // namespace rc_cholmod

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <vector>
 
 namespace rc_common {
 
@@ -37,6 +38,17 @@ inline Box bounding_box(const rc_domain& domain, std::int64_t nx, std::int64_t n
   });
   const std::int64_t top = domain.index[0] / nx, bottom = domain.index[domain.n - 1] / nx;
   return {left, top, right - left + 1, bottom - top + 1};
+}
+
+// Where each point of the domain lies in its box, row by row; empty if the domain fills the box.
+inline std::vector<std::int64_t> places_in(const Box& box, const rc_domain& domain, std::int64_t nx) {
+  std::vector<std::int64_t> places;
+  if (domain.n == box.points()) return places;
+  places.reserve(static_cast<std::size_t>(domain.n));
+  for_each_point(domain, nx, [&](std::int64_t, std::int64_t column, std::int64_t row) {
+    places.push_back((row - box.y) * box.nx + column - box.x);
+  });
+  return places;
 }
 
 }  // namespace rc_common

@@ -1,5 +1,5 @@
-#include "arrays.h"
-
+// Callers' arrays on the device.
+#include "operator.h"
 #include "session.h"
 
 namespace rc_cuda {
@@ -7,27 +7,22 @@ namespace rc_cuda {
 namespace {
 
 // copy(device), after all that others told it to do, which may write the arrays or read them.
-template <class Copy> rc_status with_device(const rc_host* host, const rc_options* options, const Copy& copy) noexcept {
-  return roughcontact::guard(host, component, [&] {
-    Borrowed engine(host, Settings(host, options));
-    engine->device().wait_for_all();
-    copy(engine->device());
-    engine.give_back();
-  });
+template <class Copy> void with_device(const rc_host* host, const rc_options* options, const Copy& copy) {
+  Borrowed engine(host, Settings(host, options));
+  engine->device().wait_for_all();
+  copy(engine->device());
+  engine.give_back();
 }
 
 }  // namespace
 
-rc_status fetch(const rc_host* host, const rc_options* options, void* to_host, const void* from_device,
-                std::int64_t bytes) noexcept {
-  return with_device(host, options, [&](Device& device) {
-    device.download(to_host, device.found(from_device), static_cast<std::size_t>(bytes));
-  });
+void Operator::fetch(const rc_host* host, const rc_options* options, void* to_host, const void* from_device, std::int64_t bytes) {
+  with_device(host, options,
+              [&](Device& device) { device.download(to_host, device.found(from_device), static_cast<std::size_t>(bytes)); });
 }
 
-rc_status store(const rc_host* host, const rc_options* options, void* to_device, const void* from_host,
-                std::int64_t bytes) noexcept {
-  return with_device(host, options, [&](Device& device) {
+void Operator::store(const rc_host* host, const rc_options* options, void* to_device, const void* from_host, std::int64_t bytes) {
+  with_device(host, options, [&](Device& device) {
     device.upload(const_cast<void*>(device.found(to_device)), from_host, static_cast<std::size_t>(bytes));
   });
 }

@@ -16,15 +16,7 @@ struct History::Kept {
   StoredPressures stored() const { return {memory.as<const double>(), box.x, box.y, box.nx, box.ny}; }
 };
 
-namespace {
-
-const rc_kept_steps* history_of(const rc_problem& problem) {
-  return problem.struct_size >= offsetof(rc_problem, history) + sizeof problem.history ? problem.history : nullptr;
-}
-
-}  // namespace
-
-History::History(const rc_problem& problem, Index index) : given_(history_of(problem)), index_(index) {
+History::History(const rc_problem& problem, Index index) : given_(problem.kept), index_(index) {
   const auto on_device = [&](void* object) {
     auto* const kept = static_cast<Kept*>(object);
     return kept && kept->index == index && kept->memory.bytes() > 0 ? kept : nullptr;

@@ -16,12 +16,7 @@ void Operator::bind(const rc_domain& domain) {
   box_ = rc_common::bounding_box(domain, grid_.nx, grid_.ny);
   n_ = domain.n;
   zero_mode_ = domain.zero_mode;
-  place_.clear();
-  if (n_ < box_.points()) {
-    place_.reserve(static_cast<std::size_t>(n_));
-    rc_common::for_each_point(
-        domain, grid_.nx, [&](Index, Index column, Index row) { place_.push_back((row - box_.y) * box_.nx + column - box_.x); });
-  }
+  place_ = rc_common::places_in(box_, domain, grid_.nx);
   if (const Torus wanted = torus(false); of_box_ && !(of_box_->torus() == wanted)) of_box_.reset();
 }
 

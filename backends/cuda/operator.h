@@ -16,6 +16,9 @@ class Operator {
   Operator(const rc_host* host, const rc_operator_spec& spec);
 
   static void score(const rc_facts& facts, rc_estimate& estimate);
+  // Callers' arrays on the device.
+  static void fetch(const rc_host*, const rc_options*, void* to_host, const void* from_device, std::int64_t bytes);
+  static void store(const rc_host*, const rc_options*, void* to_device, const void* from_host, std::int64_t bytes);
   const rc_host* host() const { return host_; }
   Index modelled() const { return box_.nx * box_.ny; }
 

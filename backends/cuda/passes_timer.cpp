@@ -1,5 +1,5 @@
 // device_passes N: the time of each pass of haar-cg on the device over N x N cells, and the bytes that it has to move at least,
-// as JSON. bench/device.sh compares them with a copy.
+// as JSON. bench/device.py compares them with a copy.
 #include <algorithm>
 #include <chrono>
 #include <cmath>

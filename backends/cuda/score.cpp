@@ -21,9 +21,7 @@ constexpr double least_points = 512 * 512;
 constexpr double of_block = 1.9e-4, blocks = 264, of_batch = 2e-3;
 
 // Whether a block takes each of the contacts, of which there are many.
-bool many(const rc_facts& facts) {
-  return facts.struct_size >= sizeof(rc_facts) && facts.at_once > 1 && facts.box <= most_points_of_many;
-}
+bool many(const rc_facts& facts) { return facts.at_once > 1 && facts.box <= most_points_of_many; }
 
 // Throws where this is not for the device: too little work, too little memory, or no device that answers.
 void require_device(const rc_facts& facts) {

@@ -18,9 +18,9 @@ namespace rc_cuda {
 
 namespace {
 
-// Whether the caller has the gap there. An older library's struct lacks the members.
+// Whether the caller has the gap there.
 bool on_this_device(const rc_grid& grid) {
-  return grid.struct_size >= sizeof(rc_grid) && grid.gap_on_device && grid.memory == std::string_view(names::backend);
+  return grid.gap_on_device.data && grid.gap_on_device.memory == std::string_view(names::backend);
 }
 
 // The unknowns in their bounding box: the cells of the machine.
@@ -30,10 +30,7 @@ class Cells {
     const rc_grid& grid = *problem.grid();
     const rc_domain domain{sizeof domain, problem.size(), grid.index, 0};
     box_ = rc_common::bounding_box(domain, grid.nx, grid.ny);
-    if (box_.points() == problem.size()) return;
-    place_.reserve(static_cast<std::size_t>(problem.size()));
-    rc_common::for_each_point(
-        domain, grid.nx, [&](Index, Index column, Index row) { place_.push_back((row - box_.y) * box_.nx + column - box_.x); });
+    place_ = rc_common::places_in(box_, domain, grid.nx);
   }
 
   const rc_common::Box& box() const { return box_; }
@@ -57,7 +54,7 @@ class Cells {
       problem_.gap().visit([&](const auto* gap) {
         using Value = std::remove_const_t<std::remove_pointer_t<decltype(gap)>>;
         if (!there) device.upload(spare, gap, static_cast<std::size_t>(count()) * sizeof(Value));
-        const auto* const first = static_cast<const Value*>(there ? device.found(grid.gap_on_device) : spare);
+        const auto* const first = static_cast<const Value*>(there ? device.found(grid.gap_on_device.data) : spare);
         device.each(count(),
                     Compenetration<Value>{first + box_.y * grid.nx + box_.x, to, grid.approach, length, box_.nx, grid.nx});
       });

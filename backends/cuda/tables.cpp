@@ -1,6 +1,5 @@
 #include "tables.h"
 
-#include "arrays.h"
 #include "names.h"
 #include "operator.h"
 #include "small/many.h"
@@ -9,8 +8,6 @@
 namespace rc_cuda {
 
 namespace {
-
-using Functions = roughcontact::Functions<Operator>;
 
 constexpr char license[] = "BSD-3-Clause";
 
@@ -32,23 +29,8 @@ const rc_option_spec memory_limit = {.struct_size = sizeof(rc_option_spec),
                                      .maximum = 1e12};
 const rc_option_spec* const options[] = {&index, &memory_limit};
 
-const rc_backend backend = {.struct_size = sizeof(rc_backend),
-                            .name = names::backend,
-                            .summary = "fast Fourier transforms on a CUDA device",
-                            .license = license,
-                            .caps = RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_THREAD_INVARIANT | RC_CAP_FLOAT,
-                            .n_options = 2,
-                            .options = options,
-                            .create = Functions::create,
-                            .destroy = Functions::destroy,
-                            .bind = Functions::bind,
-                            .apply = Functions::apply,
-                            .field = Functions::field,
-                            .modelled = Functions::modelled,
-                            .apply_float = Functions::apply_float,
-                            .score = Functions::score,
-                            .fetch = fetch,
-                            .store = store};
+constexpr rc_backend backend = roughcontact::backend<Operator>("fast Fourier transforms on a CUDA device", license,
+                                                               RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_THREAD_INVARIANT, options);
 const rc_solver solver = {.struct_size = sizeof(rc_solver),
                           .name = names::solver,
                           .summary = "haar-cg with all its vectors on a CUDA device; options haar-cg.* are its own, too",
@@ -58,21 +40,16 @@ const rc_solver solver = {.struct_size = sizeof(rc_solver),
                           .solve = solve,
                           .score = score,
                           .solve_many = solve_many};
-const rc_backend* const backends[] = {&backend};
+constexpr const rc_backend* backends[] = {&backend};
 const rc_solver* const solvers[] = {&solver};
 
 }  // namespace
 
 rc_plugin plugin_named(const char* name) {
-  return {.struct_size = sizeof(rc_plugin),
-          .abi_major = RC_PLUGIN_ABI_MAJOR,
-          .abi_minor = RC_PLUGIN_ABI_MINOR,
-          .name = name,
-          .version = "0.1.0",
-          .n_backends = 1,
-          .n_solvers = 1,
-          .backends = backends,
-          .solvers = solvers};
+  rc_plugin made = roughcontact::plugin(name, "0.1.0", backends);
+  made.n_solvers = 1;
+  made.solvers = solvers;
+  return made;
 }
 
 }  // namespace rc_cuda

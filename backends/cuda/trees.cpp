@@ -2,27 +2,13 @@
 
 #include <algorithm>
 
+#include "runtime/memory.h"
+
 namespace rc_cuda {
 
 namespace {
 
 constexpr Index largest_summit = 64 * 64;  // blocks of its lowest level
-
-// Lays out one array after the other; without memory it counts their bytes.
-class Layout {
- public:
-  explicit Layout(unsigned char* memory) : memory_(memory) {}
-  template <class T> T* next(std::size_t count) {
-    T* const at = memory_ ? reinterpret_cast<T*>(memory_ + used_) : nullptr;
-    used_ += rounded(count * sizeof(T));
-    return at;
-  }
-  std::size_t used() const { return used_; }
-
- private:
-  unsigned char* memory_;
-  std::size_t used_ = 0;
-};
 
 void lay_out(Layout& layout, std::vector<Level>& levels) {
   float* child = nullptr;
@@ -47,7 +33,7 @@ Trees::Trees(Index mx, Index my, const rc::CouplingTable& table) : least_top_(rc
     for (const rc::HaarTreeLevel& from : rc::haar_tree_levels(mx, my, table, tree == 1, true))
       levels_[tree].push_back({from.mx, from.my, from.merge_x, from.merge_y, static_cast<int>(from.shift_x),
                                static_cast<int>(from.shift_y), from.around_x, from.around_y, from.columns, from.rows,
-                               from.coupling.x, from.coupling.y, from.coupling.xy});
+                               from.coupling});
     lay_out(layout, levels_[tree]);
     layout.next<Level>(levels(tree));
   }
@@ -65,10 +51,10 @@ Patterns Trees::patterns(float self) const {
   for (unsigned pattern = 0; pattern < 16; ++pattern) {
     float a[4];
     for (unsigned i = 0; i < 4; ++i) a[i] = pattern >> i & 1U ? self : 0;
-    Solved c;
+    Solved<float> c;
     Shares shares;
     Details details;
-    table.above[pattern] = solved(levels_[0].front(), a, c);
+    table.above[pattern] = solved(levels_[0].front().coupling, a, c);
     pack(c, shares, details);
     table.of[pattern] = unpacked(shares, details);
   }

@@ -7,8 +7,6 @@ namespace rc_dense {
 
 namespace {
 
-using Functions = roughcontact::Functions<Operator>;
-
 const rc_option_spec memory_limit = {.struct_size = sizeof(rc_option_spec),
                                      .key = memory_limit_key,
                                      .default_value = "8192",
@@ -18,34 +16,11 @@ const rc_option_spec memory_limit = {.struct_size = sizeof(rc_option_spec),
                                      .minimum = 1.0,
                                      .maximum = 1e9};
 const rc_option_spec* const options[] = {&memory_limit};
-const rc_backend backend = {.struct_size = sizeof(rc_backend),
-                            .name = "dense",
-                            .summary = "stored matrix with an updatable Cholesky factor",
-                            .license = "BSD-3-Clause AND MPL-2.0",
-                            .caps = RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_DENSE_INPUT | RC_CAP_SUBSET | RC_CAP_THREAD_INVARIANT |
-                                    RC_CAP_SHIFTED | RC_CAP_NORM,
-                            .n_options = 1,
-                            .options = options,
-                            .create = Functions::create,
-                            .destroy = Functions::destroy,
-                            .bind = Functions::bind,
-                            .apply = Functions::apply,
-                            .field = Functions::field,
-                            .modelled = Functions::modelled,
-                            .subset = Functions::subset,
-                            .shifted = Functions::shifted,
-                            .norm = Functions::norm,
-                            .forget = Functions::forget,
-                            .score = Functions::score,
-                            .rest = Functions::rest};
-const rc_backend* const backends[] = {&backend};
-const rc_plugin plugin = {.struct_size = sizeof(rc_plugin),
-                          .abi_major = RC_PLUGIN_ABI_MAJOR,
-                          .abi_minor = RC_PLUGIN_ABI_MINOR,
-                          .name = "dense",
-                          .version = "0.1.0",
-                          .n_backends = 1,
-                          .backends = backends};
+constexpr rc_backend backend =
+    roughcontact::backend<Operator>("stored matrix with an updatable Cholesky factor", "BSD-3-Clause AND MPL-2.0",
+                                    RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_DENSE_INPUT | RC_CAP_THREAD_INVARIANT, options);
+constexpr const rc_backend* backends[] = {&backend};
+constexpr rc_plugin plugin = roughcontact::plugin("dense", "0.1.0", backends);
 
 }  // namespace
 

@@ -31,10 +31,12 @@ class Screen {
     const std::int64_t n = tiles.first(tiles.count());
     bounded_ = product.spacing() > 0 && std::all_of(x, x + n, [](double value) { return value >= 0; });
     if (bounded_) slack_ = -product.short_range().lowest() * std::accumulate(x, x + n, 0.0);
-    // An older core's struct may lack the last members.
-    if (request.struct_size > offsetof(rc_screen, tile_lowest)) lowest_ = request.tile_lowest;
-    if (request.struct_size > offsetof(rc_screen, undeformed_gap_single)) single_gap_ = request.undeformed_gap_single;
-    if (request.struct_size > offsetof(rc_screen, rows) && request.rows > 0) {
+    lowest_ = request.tile_lowest;
+    if (request.undeformed_gap.type == RC_SINGLE)
+      single_gap_ = static_cast<const float*>(request.undeformed_gap.data);
+    else
+      double_gap_ = static_cast<const double*>(request.undeformed_gap.data);
+    if (request.rows > 0) {
       first_row_ = request.first_row;
       end_row_ = first_row_ + request.rows;
     }
@@ -57,7 +59,7 @@ class Screen {
 
   double gap(std::int64_t point) const {
     const std::int64_t at = point - first_row_ * nx_;
-    return single_gap_ ? single_gap_[at] : request_.undeformed_gap[at];
+    return single_gap_ ? single_gap_[at] : double_gap_[at];
   }
   bool looked_at(std::int64_t point) const { return !request_.mask || request_.mask[point - first_row_ * nx_]; }
   // Rows of points in a row of tiles that are looked at, from its first one on.
@@ -81,7 +83,7 @@ class Screen {
       if (single_gap_)
         lower(single_gap_ + first);
       else
-        lower(request_.undeformed_gap + first);
+        lower(double_gap_ + first);
     }
     for (std::int64_t column = 0; column < grid_.nx; ++column)
       lowest[column] = *std::min_element(least + column * side, least + column * side + width(column));
@@ -167,7 +169,8 @@ class Screen {
   rc_screen& request_;
   // request_'s, where it has them
   const double* lowest_ = nullptr;
-  const float* single_gap_ = nullptr;
+  const float* single_gap_ = nullptr;  // one of them is null
+  const double* double_gap_ = nullptr;
   bool bounded_ = false;  // the bound holds
   double slack_ = 0, largest_ = 0;
 };

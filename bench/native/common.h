@@ -34,23 +34,17 @@ template <class Work> void in_parallel(std::int64_t n, std::int64_t threads, con
 using Clock = std::chrono::steady_clock;
 inline double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-struct CallTimes {
-  double best = 0, median = 0;  // seconds
-  std::int64_t count = 0;
-};
-
-// One call to warm the caches, then at least three until the budget of seconds is spent.
-template <class Call> CallTimes time_calls(double budget, const Call& call) {
+// Seconds of the fastest of at least three calls, until the budget of seconds is spent, after one to warm the caches.
+template <class Call> double best_time(double budget, const Call& call) {
   call();
-  std::vector<double> seconds;
+  double best = 1e300;
   const auto begun = Clock::now();
-  do {
+  for (int calls = 0; calls < 3 || (seconds_since(begun) < budget && calls < 1000); ++calls) {
     const auto start = Clock::now();
     call();
-    seconds.push_back(seconds_since(start));
-  } while (seconds.size() < 3 || (seconds_since(begun) < budget && seconds.size() < 1000));
-  std::sort(seconds.begin(), seconds.end());
-  return {seconds.front(), seconds[seconds.size() / 2], static_cast<std::int64_t>(seconds.size())};
+    best = std::min(best, seconds_since(start));
+  }
+  return best;
 }
 
 }  // namespace bench

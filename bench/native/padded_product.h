@@ -21,7 +21,6 @@ template <class Real> struct Fftw;
     static constexpr auto init_threads = name##_init_threads;            \
     static constexpr auto plan_with_threads = name##_plan_with_nthreads; \
     static constexpr auto set_time_limit = name##_set_timelimit;         \
-    static constexpr auto plan_complex = name##_plan_dft_1d;             \
     static constexpr auto plan_real_2d = name##_plan_dft_r2c_2d;         \
     static constexpr auto plan_real_back_2d = name##_plan_dft_c2r_2d;    \
     static constexpr auto execute = name##_execute;                      \

@@ -15,27 +15,16 @@ template <class Handle, void (*destroy)(Handle*), class Create> auto made(const 
 
 // What is asked of the timer and what it found; rc_solver::solve has no user pointer.
 thread_local struct {
-  double budget;  // seconds to spend, three products at least
-  bool single;    // precision
-  double share;   // of the trial set that carries pressure, the deepest points
-  CallTimes calls;
-  double first;  // seconds of the first product, with the set-up
-  std::int64_t points, contacts;
+  double budget;          // seconds to spend, three products at least
+  bool single;            // precision
+  double best;            // seconds of the fastest
   std::vector<double> y;  // the last product
 } timed;
 
 rc_status multiply(const rc_host*, const rc_problem* problem, const rc_options*, double*, double*) {
   const auto n = static_cast<std::size_t>(problem->n);
   if (timed.single && !problem->apply_float) return RC_ERR_INCOMPATIBLE;
-  std::vector<double> x(problem->u, problem->u + n);
-  if (timed.share < 1) {
-    std::vector<double> sorted = x;
-    const auto level = sorted.begin() + static_cast<std::ptrdiff_t>(static_cast<double>(n) * (1 - timed.share));
-    std::nth_element(sorted.begin(), level, sorted.end());
-    for (double& value : x) value = std::max(0.0, value - *level);
-  }
-  timed.points = problem->n;
-  timed.contacts = problem->n - std::count(x.begin(), x.end(), 0.0);
+  const std::vector<double> x(problem->u, problem->u + n);
   const std::vector<float> given(x.begin(), x.end());
   std::vector<float> product(n);
   timed.y.resize(n);
@@ -45,10 +34,7 @@ rc_status multiply(const rc_host*, const rc_problem* problem, const rc_options*,
       status = timed.single ? problem->apply_float(problem, given.data(), product.data())
                             : problem->apply(problem, x.data(), timed.y.data());
   };
-  const auto start = Clock::now();
-  call();
-  timed.first = seconds_since(start);
-  timed.calls = time_calls(timed.budget, call);
+  timed.best = best_time(timed.budget, call);
   if (timed.single) timed.y.assign(product.begin(), product.end());
   return status == RC_OK ? RC_STOP_CANCELLED : status;
 }
@@ -58,18 +44,15 @@ const rc_solver timer = {
     nullptr,           multiply};
 const rc_solver* const solvers[] = {&timer};
 const rc_plugin plugin = {
-    sizeof(rc_plugin), RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR, "product-timer", "1", 0, 1, nullptr, solvers};
+    sizeof(rc_plugin), RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR, "product-timer", "1", 0, 1, 0, nullptr, solvers, nullptr};
 
 }  // namespace
 
 extern "C" {
 
-// T is the trial set of this gap and approach. x is the compenetration over T, and with a share below 1 its excess over what the
-// other points have. times: best, median and first; counts: products, points of the
-// trial set, points with pressure; y: [points], or null.
+// T is the trial set of this gap and approach, x the compenetration over T. y: [points of T], or null.
 const char* bench_time_products(const rc_system* system, const double* gap, double approach, const char* backend,
-                                std::int64_t threads, double budget, std::int64_t single, double share, double* times,
-                                std::int64_t* counts, double* y) {
+                                std::int64_t threads, double budget, std::int64_t single, double* y, double* seconds) {
   return guarded([&] {
     const auto context = made<rc_context, rc_context_destroy>([](auto** out) { return rc_context_create(nullptr, out); });
     check(rc_context_register(context.get(), &plugin));
@@ -84,12 +67,9 @@ const char* bench_time_products(const rc_system* system, const double* gap, doub
     step.undeformed_gap = gap;
     step.target = approach;
     rc_result result = RC_RESULT_INIT;
-    timed = {budget, single != 0, share, {}, 0, 0, 0, {}};
+    timed = {budget, single != 0, 0, {}};
     check(rc_contact_solve(contact.get(), &step, &result));
-    const double seconds[] = {timed.calls.best, timed.calls.median, timed.first};
-    const std::int64_t numbers[] = {timed.calls.count, timed.points, timed.contacts};
-    std::copy_n(seconds, 3, times);
-    std::copy_n(numbers, 3, counts);
+    *seconds = timed.best;
     if (y) std::copy(timed.y.begin(), timed.y.end(), y);
     timed.y = {};
   });

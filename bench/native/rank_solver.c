@@ -1,9 +1,8 @@
-/* rank_solver N THREADS ranks|process mixed|double [SHARE [periodic]]: one cold solve of a rough surface of N x N points, about a
+/* rank_solver N THREADS ranks|process mixed|double: one cold solve of a rough surface of N x N points, about a
    tenth of them in contact, by load control. double: products in double precision alone, and no coarser grids, so that counters
    can be told. The surface is made row by row from the points' numbers. Rank 0 prints a line of JSON. `process`: by rc_contact,
-   on one rank. SHARE: of that load alone, with solver and backend by `auto`, which then see sparse contact. Seconds are those of
-   MPI_Wtime: of the clock, or of the simulation where SMPI runs the program; without those of making the contact, which SMPI
-   takes longer for than any MPI: it duplicates a communicator. */
+   on one rank. Seconds are those of MPI_Wtime: of the clock, or of the simulation where SMPI runs the program; without those of
+   making the contact, which SMPI takes longer for than any MPI: it duplicates a communicator. */
 #include <math.h>
 #include <mpi.h>
 #include <roughcontact/mpi.h>
@@ -82,8 +81,8 @@ int main(int argc, char** argv) {
   MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &level);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
-  if (argc < 5 || argc > 7) {
-    if (rank == 0) fprintf(stderr, "usage: rank_solver N THREADS ranks|process mixed|double [SHARE [periodic]]\n");
+  if (argc != 5) {
+    if (rank == 0) fprintf(stderr, "usage: rank_solver N THREADS ranks|process mixed|double\n");
     MPI_Abort(MPI_COMM_WORLD, 1);
   }
   const int64_t n = atoll(argv[1]);
@@ -94,7 +93,6 @@ int main(int argc, char** argv) {
   system.nx = system.ny = n;
   system.hx = system.hy = 1.0 / (double)n;
   system.modulus = 1;
-  if (argc == 7) system.boundary = RC_BOUNDARY_PERIODIC;
   int64_t first = 0, count = n;
   if (!alone && rc_mpi_rows(MPI_COMM_WORLD, &system, &first, &count) != RC_OK) stop("rows");
 
@@ -116,20 +114,19 @@ int main(int argc, char** argv) {
   rc_result result = RC_RESULT_INIT;
   rc_ranks_counts counts = RC_RANKS_COUNTS_INIT;
   if (rc_options_create(NULL, &options) != RC_OK || rc_options_parse(options, RC_OPT_THREADS, argv[2]) != RC_OK ||
-      rc_options_parse(options, RC_OPT_SOLVER, argc == 5 ? "haar-cg" : "auto") != RC_OK ||
-      rc_options_parse(options, RC_OPT_BACKEND, argc == 5 ? "fft" : "auto") != RC_OK ||
+      rc_options_parse(options, RC_OPT_SOLVER, "haar-cg") != RC_OK || rc_options_parse(options, RC_OPT_BACKEND, "fft") != RC_OK ||
       rc_options_parse(options, "haar-cg.products", argv[4]) != RC_OK ||
       rc_options_parse(options, "haar-cg.nested", strcmp(argv[4], "double") == 0 ? "0" : "1") != RC_OK)
     stop("options");
   step.control = RC_CONTROL_LOAD;
-  step.target = (argc == 5 ? 1 : atof(argv[5])) * 0.05 *
-                slope; /* Bush, Gibson & Thomas (1975): area = sqrt(2 pi) p / (E* rms slope), a little less in full solutions */
+  step.target =
+      0.05 * slope; /* Bush, Gibson & Thomas (1975): area = sqrt(2 pi) p / (E* rms slope), a little less in full solutions */
   step.undeformed_gap = gap;
   step.borrow = 1;
   result.p = p;
 
   MPI_Barrier(MPI_COMM_WORLD);
-  const double begin = MPI_Wtime(), cpu = cpu_seconds();
+  const double cpu = cpu_seconds();
   double made;
   if (alone) {
     rc_contact* contact = NULL;
@@ -155,26 +152,16 @@ int main(int argc, char** argv) {
     bits += mixed(word ^ mixed((uint64_t)first * (uint64_t)n + i));
   }
   MPI_Reduce(&bits, &all_bits, 1, MPI_UINT64_T, MPI_SUM, 0, MPI_COMM_WORLD);
-  const double most_transposed = total((double)counts.transposed, MPI_MAX),
-               transposed = total((double)counts.transposed, MPI_SUM);
-  const double reduced = total((double)counts.reduced, MPI_SUM), gathered = total((double)counts.gathered, MPI_SUM);
-  const double shifted = total((double)counts.shifted, MPI_SUM), shifts = total((double)counts.shifts, MPI_SUM);
-  const double memory = total(peak() - base, MPI_SUM), most_memory = total(peak() - base, MPI_MAX);
+  const double transposed = total((double)counts.transposed, MPI_SUM), reduced = total((double)counts.reduced, MPI_SUM),
+               gathered = total((double)counts.gathered, MPI_SUM), memory = total(peak() - base, MPI_SUM);
   if (rank == 0)
     printf(
-        "{\"status\": \"%s\", \"backend\": \"%s\", \"iterations\": %lld, \"products\": %lld, \"contacts\": %lld, "
-        "\"create_seconds\": %.6g, "
-        "\"seconds\": %.6g, "
-        "\"cpu_seconds\": %.6g, \"kkt\": %.3g, \"bits\": \"%016llx\", \"products\": %lld, \"transpositions\": %lld, "
-        "\"transposed\": %.0f, "
-        "\"most_transposed\": %.0f, \"reductions\": %lld, \"reduced\": %.0f, \"gathers\": %lld, \"gathered\": %.0f, \"shifts\": "
-        "%.0f, "
-        "\"shifted\": %.0f, \"distributed_iterations\": %lld, \"peak_bytes\": %.0f, \"most_peak_bytes\": %.0f}\n",
-        rc_status_name(result.status), result.backend, (long long)result.iterations, (long long)result.products,
-        (long long)result.contacts, made - begin, seconds, busy,
-        fmax(result.kkt_primal, fmax(result.kkt_dual, result.kkt_complementarity)), (unsigned long long)all_bits,
-        (long long)counts.products, (long long)counts.transpositions, transposed, most_transposed, (long long)counts.reductions,
-        reduced, (long long)counts.gathers, gathered, shifts, shifted, (long long)counts.iterations, memory, most_memory);
+        "{\"status\": \"%s\", \"products\": %lld, \"seconds\": %.6g, \"cpu_seconds\": %.6g, \"bits\": \"%016llx\", "
+        "\"transpositions\": %lld, \"transposed\": %.0f, \"reductions\": %lld, \"reduced\": %.0f, \"gathers\": %lld, "
+        "\"gathered\": %.0f, \"distributed_iterations\": %lld, \"peak_bytes\": %.0f}\n",
+        rc_status_name(result.status), (long long)result.products, seconds, busy, (unsigned long long)all_bits,
+        (long long)counts.transpositions, transposed, (long long)counts.reductions, reduced, (long long)counts.gathers, gathered,
+        (long long)counts.iterations, memory);
   free(gap);
   free(p);
   rc_options_destroy(options);

@@ -1,7 +1,5 @@
 /* rc_mpi_exchange that writes down what a rank does in a solve: the processor's seconds before each exchange, and what the
-   exchange carries. replay.c does the same exchanges again, on a network. Here ranks are in one process: they tell each other
-   where their bytes lie, and copy them from there, because the messages of all ranks to all others take the simulation long.
-   exchange.c is linked with its own function renamed. */
+   exchange carries. replay.c does the same exchanges again, on a network. exchange.c is linked with its own function renamed. */
 #include "recorded_exchange.h"
 
 #include <stdio.h>
@@ -43,52 +41,22 @@ static int pattern(const int64_t* bytes) {
   return known++;
 }
 
-/* Where a rank's bytes lie, and how many there are for each rank. */
-typedef struct place {
-  const char* from;
-  const int64_t* sent;
-} place;
-
-/* Of all ranks, each in its own memory; until copied() none of it changes. */
-static const place* places(const struct rc_mpi_link* link, const void* from, const int64_t* sent) {
-  static place* all;
-  const place mine = {from, sent};
-  if (!all && !(all = malloc((size_t)plain.ranks * sizeof *all))) abort();
-  MPI_Allgather(&mine, sizeof mine, MPI_BYTE, all, sizeof mine, MPI_BYTE, link->comm);
-  return all;
-}
-static void copied(const struct rc_mpi_link* link) { MPI_Barrier(link->comm); }
-
-static int64_t bytes_before(const int64_t* bytes, int64_t rank) {
-  int64_t all = 0;
-  for (int64_t r = 0; r < rank; ++r) all += bytes[r];
-  return all;
-}
-
 static const char* gather(void* user, const void* mine, const int64_t* bytes, void* all) {
   burst();
   const int which = pattern(bytes);
   if (out) fprintf(out, "g %d\n", which);
-  const place* const each = places(user, mine, NULL);
-  char* to = all;
-  for (int64_t r = 0; r < plain.ranks; to += bytes[r++])
-    if (bytes[r] > 0) memmove(to, each[r].from, (size_t)bytes[r]);
-  copied(user);
+  const char* const failed = plain.gather(user, mine, bytes, all);
   go_on();
-  return NULL;
+  return failed;
 }
 
 static const char* transpose(void* user, const void* from, const int64_t* sent, void* into, const int64_t* received) {
   burst();
   const int one = pattern(sent), other = pattern(received);
   if (out) fprintf(out, "t %d %d\n", one, other);
-  const place* const each = places(user, from, sent);
-  char* to = into;
-  for (int64_t r = 0; r < plain.ranks; to += received[r++])
-    if (received[r] > 0) memcpy(to, each[r].from + bytes_before(each[r].sent, plain.rank), (size_t)received[r]);
-  copied(user);
+  const char* const failed = plain.transpose(user, from, sent, into, received);
   go_on();
-  return NULL;
+  return failed;
 }
 
 static const char* shift(void* user, int64_t to, const void* from, int64_t sent, int64_t source, void* into, int64_t received) {

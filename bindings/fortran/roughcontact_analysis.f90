@@ -25,8 +25,9 @@ contains
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     integer(c_int8_t), allocatable, target :: bytes(:, :)
-    if (.not. mask_fits('rcf_area_measure', p, mask, bytes, stat, errmsg)) return
-    call rcf_check(rc_area_measure(grid(p, hx, hy, boundary), p, address(bytes), area), stat, errmsg)
+    type(c_ptr) :: there
+    if (.not. mask_fits('rcf_area_measure', p, mask, bytes, there, stat, errmsg)) return
+    call rcf_check(rc_area_measure(grid(p, hx, hy, boundary), p, there, area), stat, errmsg)
   end subroutine
 
   ! label(ix, iy): number of the point's patch, from 1 on, 0: no contact. neighbours: 4 (across edges) or 8 (corners as well).
@@ -42,19 +43,20 @@ contains
     character(*), intent(inout), optional :: errmsg
     type(rc_patches) :: found
     integer(c_int8_t), allocatable, target :: bytes(:, :)
+    type(c_ptr) :: there
     integer(c_int64_t), allocatable, target :: counts(:, :)
     real(c_double), allocatable, target :: values(:, :)
     integer(rc_status) :: status
     integer(c_int64_t) :: k
     allocate (patches(0))
-    if (.not. mask_fits('rcf_patches_find', p, mask, bytes, stat, errmsg)) return
+    if (.not. mask_fits('rcf_patches_find', p, mask, bytes, there, stat, errmsg)) return
     if (present(label)) then
-      if (.not. rcf_shaped('rcf_patches_find', 'label', shape(label), size(p, 1, c_int64_t), size(p, 2, c_int64_t), stat, &
-        errmsg)) return
+      if (.not. rcf_extents_fit('rcf_patches_find', 'label', shape(label), size(p, 1, c_int64_t), size(p, 2, c_int64_t), &
+        stat, errmsg)) return
       if (size(label) > 0) found%label = c_loc(label)
     end if
     if (present(neighbours)) found%neighbours = neighbours
-    status = rc_patches_find(grid(p, hx, hy, boundary), p, address(bytes), found)
+    status = rc_patches_find(grid(p, hx, hy, boundary), p, there, found)
     if (status == RC_OK .and. found%count > 0) then
       found%room = found%count
       allocate (counts(found%count, 2), values(found%count, 5))
@@ -65,7 +67,7 @@ contains
       found%load = c_loc(values(1, 3))
       found%mean_pressure = c_loc(values(1, 4))
       found%max_pressure = c_loc(values(1, 5))
-      status = rc_patches_find(grid(p, hx, hy, boundary), p, address(bytes), found)
+      status = rc_patches_find(grid(p, hx, hy, boundary), p, there, found)
       if (status == RC_OK) patches = [(rcf_patch(counts(k, 1), counts(k, 2) + 1, values(k, 1), values(k, 2), values(k, 3), &
         values(k, 4), values(k, 5)), k=1, found%count)]
     end if
@@ -86,8 +88,9 @@ contains
     character(*), intent(inout), optional :: errmsg
     type(rc_histogram) :: filled
     integer(c_int8_t), allocatable, target :: bytes(:, :)
+    type(c_ptr) :: there
     integer(rc_status) :: status
-    if (.not. mask_fits('rcf_histogram_fill', p, mask, bytes, stat, errmsg)) return
+    if (.not. mask_fits('rcf_histogram_fill', p, mask, bytes, there, stat, errmsg)) return
     filled%bins = size(counts, kind=c_int64_t)
     if (filled%bins > 0) filled%counts = c_loc(counts)
     if (present(density)) then
@@ -98,7 +101,7 @@ contains
       if (size(density) > 0) filled%density = c_loc(density)
     end if
     if (present(upper)) filled%upper = upper
-    status = rc_histogram_fill(grid(p, 1.0_c_double, 1.0_c_double, RC_BOUNDARY_FREE), p, address(bytes), filled)
+    status = rc_histogram_fill(grid(p, 1.0_c_double, 1.0_c_double, RC_BOUNDARY_FREE), p, there, filled)
     if (present(histogram)) histogram = filled
     call rcf_check(status, stat, errmsg)
   end subroutine
@@ -112,8 +115,9 @@ contains
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     integer(c_int8_t), allocatable, target :: bytes(:, :)
-    if (.not. mask_fits('rcf_crossing_find', p, mask, bytes, stat, errmsg)) return
-    call rcf_check(rc_crossing_find(grid(p, 1.0_c_double, 1.0_c_double, boundary), p, address(bytes), crossing), stat, errmsg)
+    type(c_ptr) :: there
+    if (.not. mask_fits('rcf_crossing_find', p, mask, bytes, there, stat, errmsg)) return
+    call rcf_check(rc_crossing_find(grid(p, 1.0_c_double, 1.0_c_double, boundary), p, there, crossing), stat, errmsg)
   end subroutine
 
   ! Electrical or thermal conductance of a contact of half-spaces, and the interval it lies in. result: with option stiffness 1
@@ -137,22 +141,14 @@ contains
     system = rc_system(boundary=boundary, nx=size(p, 1, c_int64_t), ny=size(p, 2, c_int64_t), hx=hx, hy=hy)
   end function
 
-  logical function mask_fits(where, p, mask, bytes, stat, errmsg) result(fits)
+  logical function mask_fits(where, p, mask, bytes, there, stat, errmsg) result(fits)
     character(*), intent(in) :: where
     real(c_double), intent(in) :: p(:, :)
     logical, intent(in), optional :: mask(:, :)
-    integer(c_int8_t), allocatable, intent(out) :: bytes(:, :)
+    integer(c_int8_t), allocatable, intent(out), target :: bytes(:, :)
+    type(c_ptr), intent(out) :: there
     integer, intent(inout), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    fits = .true.
-    if (present(mask)) fits = rcf_shaped(where, 'mask', shape(mask), size(p, 1, c_int64_t), size(p, 2, c_int64_t), stat, errmsg)
-    if (fits) call rcf_mask_bytes(mask, bytes)
-  end function
-
-  function address(bytes) result(where)
-    integer(c_int8_t), allocatable, intent(in), target :: bytes(:, :)
-    type(c_ptr) :: where
-    where = c_null_ptr
-    if (allocated(bytes)) where = c_loc(bytes)
+    fits = rcf_masked(where, mask, size(p, 1, c_int64_t), size(p, 2, c_int64_t), bytes, there, stat, errmsg)
   end function
 end module

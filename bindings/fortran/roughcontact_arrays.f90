@@ -4,7 +4,7 @@ module roughcontact_arrays
   use roughcontact_functions
   implicit none
   private
-  public :: rcf_gap_from_heights, rcf_address, rcf_mask_bytes, rcf_shaped
+  public :: rcf_gap_from_heights, rcf_address, rcf_masked, rcf_shaped, rcf_extents_fit
 
 contains
 
@@ -17,9 +17,7 @@ contains
     type(c_ptr) :: there
     integer(rc_status) :: status
     allocate (undeformed_gap(size(heights, 1), size(heights, 2)))
-    call rcf_mask_bytes(mask, bytes)
-    there = c_null_ptr
-    if (allocated(bytes)) there = c_loc(bytes)
+    call mask_bytes(mask, bytes, there)
     status = rc_gap_from_heights(size(heights, kind=c_int64_t), heights, there, undeformed_gap)
   end function
 
@@ -32,15 +30,44 @@ contains
     if (size(x) > 0) address = c_loc(x)
   end function
 
-  ! A mask as C has it; not allocated where it is absent.
-  subroutine rcf_mask_bytes(mask, bytes)
+  ! A mask as C has it, and where that is; null where it is absent.
+  subroutine mask_bytes(mask, bytes, there)
     logical, intent(in), optional :: mask(:, :)
-    integer(c_int8_t), allocatable, intent(out) :: bytes(:, :)
-    if (present(mask)) bytes = merge(1_c_int8_t, 0_c_int8_t, mask)
+    integer(c_int8_t), allocatable, intent(out), target :: bytes(:, :)
+    type(c_ptr), intent(out) :: there
+    there = c_null_ptr
+    if (.not. present(mask)) return
+    bytes = merge(1_c_int8_t, 0_c_int8_t, mask)
+    there = c_loc(bytes)
   end subroutine
 
-  ! Whether an array has nx by ny values; if not, the failure is reported.
-  logical function rcf_shaped(where, name, found, nx, ny, stat, errmsg) result(fits)
+  ! The same of a mask that must have nx by ny values; if it has not, the failure is reported, and the result is false.
+  logical function rcf_masked(where, mask, nx, ny, bytes, there, stat, errmsg) result(fits)
+    character(*), intent(in) :: where
+    logical, intent(in), optional :: mask(:, :)
+    integer(c_int64_t), intent(in) :: nx, ny
+    integer(c_int8_t), allocatable, intent(out), target :: bytes(:, :)
+    type(c_ptr), intent(out) :: there
+    integer, intent(inout), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    fits = .true.
+    there = c_null_ptr
+    if (present(mask)) fits = rcf_extents_fit(where, 'mask', shape(mask), nx, ny, stat, errmsg)
+    if (fits) call mask_bytes(mask, bytes, there)
+  end function
+
+  ! Whether an array that is present has nx by ny values; if not, the failure is reported.
+  logical function rcf_shaped(where, name, x, nx, ny, stat, errmsg) result(fits)
+    character(*), intent(in) :: where, name
+    real(c_double), intent(in), optional :: x(:, :)
+    integer(c_int64_t), intent(in) :: nx, ny
+    integer, intent(inout), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    fits = .true.
+    if (present(x)) fits = rcf_extents_fit(where, name, shape(x), nx, ny, stat, errmsg)
+  end function
+
+  logical function rcf_extents_fit(where, name, found, nx, ny, stat, errmsg) result(fits)
     character(*), intent(in) :: where, name
     integer, intent(in) :: found(2)
     integer(c_int64_t), intent(in) :: nx, ny

@@ -11,6 +11,7 @@ module roughcontact_constants
     RC_ERR_OPTION = -3, RC_ERR_NO_BACKEND = -4, RC_ERR_NO_SOLVER = -5, RC_ERR_INCOMPATIBLE = -6, RC_ERR_PLUGIN = -7, &
     RC_ERR_MEMORY = -8, RC_ERR_INFEASIBLE = -9, RC_ERR_NUMERIC = -10, RC_ERR_EXTERNAL = -11, RC_ERR_BUSY = -12, &
     RC_ERR_INTERNAL = -99
+  integer(c_int32_t), parameter :: RC_NATIVE = 0, RC_SINGLE = 1
   integer(c_int32_t), parameter :: RC_OPERATOR_HALFSPACE = 1, RC_OPERATOR_DENSE = 2, RC_OPERATOR_CALLBACK = 3
   integer(c_int32_t), parameter :: RC_BOUNDARY_FREE = 1, RC_BOUNDARY_PERIODIC = 2
   integer(c_int32_t), parameter :: RC_CONTROL_APPROACH = 1, RC_CONTROL_LOAD = 2

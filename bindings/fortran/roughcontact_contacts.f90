@@ -93,7 +93,6 @@ contains
     integer(rc_status) :: status
     if (.not. rcf_prepared('rcf_contact_solve', contact%nx, contact%ny, step, answer, bytes, approach, load, undeformed_gap, &
       mask, p0, warm_start, p, gap, stat, errmsg)) return
-    if (allocated(bytes)) step%mask = c_loc(bytes)
     status = rc_contact_solve(contact%handle, step, answer)
     if (present(result)) result = answer
     call rcf_check(status, stat, errmsg)
@@ -116,7 +115,6 @@ contains
     integer(rc_status) :: status
     if (.not. rcf_prepared('rcf_contact_certify', contact%nx, contact%ny, step, answer, bytes, approach, load, undeformed_gap, &
       mask, p=p, gap=gap, stat=stat, errmsg=errmsg)) return
-    if (allocated(bytes)) step%mask = c_loc(bytes)
     status = rc_contact_certify(contact%handle, step, answer)
     if (present(result)) result = answer
     call rcf_check(status, stat, errmsg)
@@ -202,24 +200,15 @@ contains
       call rcf_refuse(RC_ERR_ARGUMENT, where//': give all of p_before, approach_before and load_before, or none', stat, errmsg)
       return
     end if
-    if (.not. rcf_shaped(where, 'undeformed_gap', shape(undeformed_gap), contact%nx, contact%ny, stat, errmsg)) return
-    if (.not. rcf_shaped(where, 'p', shape(p), contact%nx, contact%ny, stat, errmsg)) return
-    if (present(mask)) then
-      if (.not. rcf_shaped(where, 'mask', shape(mask), contact%nx, contact%ny, stat, errmsg)) return
-    end if
-    state = rc_state(undeformed_gap=rcf_address(undeformed_gap), p=rcf_address(p), approach=approach, load=load)
-    if (present(p_before)) then
-      if (.not. rcf_shaped(where, 'p_before', shape(p_before), contact%nx, contact%ny, stat, errmsg)) return
-      state%p_before = rcf_address(p_before)
-      state%approach_before = approach_before
-      state%load_before = load_before
-    end if
-    if (present(indentation)) then
-      if (.not. rcf_shaped(where, 'indentation', shape(indentation), contact%nx, contact%ny, stat, errmsg)) return
-      state%indentation = rcf_address(indentation)
-    end if
-    call rcf_mask_bytes(mask, bytes)
-    if (allocated(bytes)) state%mask = c_loc(bytes)
+    if (.not. rcf_shaped(where, 'undeformed_gap', undeformed_gap, contact%nx, contact%ny, stat, errmsg)) return
+    if (.not. rcf_shaped(where, 'p', p, contact%nx, contact%ny, stat, errmsg)) return
+    if (.not. rcf_shaped(where, 'p_before', p_before, contact%nx, contact%ny, stat, errmsg)) return
+    if (.not. rcf_shaped(where, 'indentation', indentation, contact%nx, contact%ny, stat, errmsg)) return
+    state = rc_state(undeformed_gap=rcf_address(undeformed_gap), p=rcf_address(p), approach=approach, load=load, &
+      p_before=rcf_address(p_before), indentation=rcf_address(indentation))
+    if (.not. rcf_masked(where, mask, contact%nx, contact%ny, bytes, state%mask, stat, errmsg)) return
+    if (present(approach_before)) state%approach_before = approach_before
+    if (present(load_before)) state%load_before = load_before
     call rcf_check(rc_contact_restore(contact%handle, state), stat, errmsg)
   end subroutine
 
@@ -245,7 +234,6 @@ contains
     sized%ny = size(undeformed_gap, 2, c_int64_t)
     if (.not. rcf_prepared('rcf_solve', sized%nx, sized%ny, step, answer, bytes, approach, load, undeformed_gap, mask, p0, &
       p=p, gap=gap, stat=stat, errmsg=errmsg)) return
-    if (allocated(bytes)) step%mask = c_loc(bytes)
     status = rc_solve(sized, step, rcf_or_null(options), answer)
     if (present(result)) result = answer
     call rcf_check(status, stat, errmsg)

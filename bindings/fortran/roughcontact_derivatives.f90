@@ -24,9 +24,9 @@ contains
     character(*), parameter :: where = 'rcf_contact_gradient'
     type(rc_gradient) :: found
     integer(rc_status) :: status
-    if (.not. fits(contact, where, 'dJ_dundeformed_gap', dJ_dundeformed_gap, stat, errmsg)) return
-    if (.not. fits(contact, where, 'dJ_dp', dJ_dp, stat, errmsg)) return
-    if (.not. fits(contact, where, 'dJ_dgap', dJ_dgap, stat, errmsg)) return
+    if (.not. rcf_shaped(where, 'dJ_dundeformed_gap', dJ_dundeformed_gap, contact%nx, contact%ny, stat, errmsg)) return
+    if (.not. rcf_shaped(where, 'dJ_dp', dJ_dp, contact%nx, contact%ny, stat, errmsg)) return
+    if (.not. rcf_shaped(where, 'dJ_dgap', dJ_dgap, contact%nx, contact%ny, stat, errmsg)) return
     found%dJ_dundeformed_gap = rcf_address(dJ_dundeformed_gap)
     found%dJ_dp = rcf_address(dJ_dp)
     found%dJ_dgap = rcf_address(dJ_dgap)
@@ -49,9 +49,9 @@ contains
     character(*), parameter :: where = 'rcf_contact_tangent'
     type(rc_tangent) :: found
     integer(rc_status) :: status
-    if (.not. fits(contact, where, 'dundeformed_gap', dundeformed_gap, stat, errmsg)) return
-    if (.not. fits(contact, where, 'dp', dp, stat, errmsg)) return
-    if (.not. fits(contact, where, 'dgap', dgap, stat, errmsg)) return
+    if (.not. rcf_shaped(where, 'dundeformed_gap', dundeformed_gap, contact%nx, contact%ny, stat, errmsg)) return
+    if (.not. rcf_shaped(where, 'dp', dp, contact%nx, contact%ny, stat, errmsg)) return
+    if (.not. rcf_shaped(where, 'dgap', dgap, contact%nx, contact%ny, stat, errmsg)) return
     found%dundeformed_gap = rcf_address(dundeformed_gap)
     found%dp = rcf_address(dp)
     found%dgap = rcf_address(dgap)
@@ -61,14 +61,4 @@ contains
     if (present(tangent)) tangent = found
     call rcf_check(status, stat, errmsg)
   end subroutine
-
-  logical function fits(contact, where, name, x, stat, errmsg)
-    type(rcf_contact), intent(in) :: contact
-    character(*), intent(in) :: where, name
-    real(c_double), intent(in), optional :: x(:, :)
-    integer, intent(inout), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    fits = .true.
-    if (present(x)) fits = rcf_shaped(where, name, shape(x), contact%nx, contact%ny, stat, errmsg)
-  end function
 end module

@@ -50,15 +50,9 @@ contains
       if (history%n > 0) history%targets = c_loc(loads)
     end if
     if (present(warm_start)) history%warm_start = merge(1, 0, warm_start)
-    if (present(undeformed_gap)) then
-      if (.not. rcf_shaped(where, 'undeformed_gap', shape(undeformed_gap), contact%nx, contact%ny, stat, errmsg)) return
-    end if
-    if (present(mask)) then
-      if (.not. rcf_shaped(where, 'mask', shape(mask), contact%nx, contact%ny, stat, errmsg)) return
-    end if
+    if (.not. rcf_shaped(where, 'undeformed_gap', undeformed_gap, contact%nx, contact%ny, stat, errmsg)) return
+    if (.not. rcf_masked(where, mask, contact%nx, contact%ny, bytes, history%mask, stat, errmsg)) return
     history%undeformed_gap = rcf_address(undeformed_gap)
-    call rcf_mask_bytes(mask, bytes)
-    if (allocated(bytes)) history%mask = c_loc(bytes)
     shortest = int(history%n)
     call place(load, history%load)
     call place(approach, history%approach)
@@ -150,14 +144,8 @@ contains
         if (size(mask, 3) == 1) batch%mask_stride = RC_BATCH_SHARED
       end if
     end if
-    if (present(p0)) then
-      if (.not. stacked(shape(p0), n)) misshapen = misshapen//' p0'
-      if (size(p0) > 0) batch%p0 = c_loc(p0)
-    end if
-    if (present(p)) then
-      if (.not. stacked(shape(p), n)) misshapen = misshapen//' p'
-      if (size(p) > 0) batch%p = c_loc(p)
-    end if
+    call pile(p0, 'p0', batch%p0)
+    call pile(p, 'p', batch%p)
     call place(load, 'load', batch%load)
     call place(approach, 'approach', batch%approach)
     call place(contact_area, 'contact_area', batch%contact_area)
@@ -194,6 +182,15 @@ contains
       integer, intent(in) :: found(2)
       tabled = found(1) == targets(1) .and. found(2) == n
     end function
+
+    subroutine pile(x, name, address)
+      real(c_double), intent(in), optional, target, contiguous :: x(:, :, :)
+      character(*), intent(in) :: name
+      type(c_ptr), intent(inout) :: address
+      if (.not. present(x)) return
+      if (.not. stacked(shape(x), n)) misshapen = misshapen//' '//name
+      if (size(x) > 0) address = c_loc(x)
+    end subroutine
 
     subroutine place(x, name, address)
       real(c_double), intent(inout), optional, target, contiguous :: x(:, :)

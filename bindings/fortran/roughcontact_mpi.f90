@@ -74,7 +74,6 @@ contains
     integer(rc_status) :: status
     if (.not. rcf_prepared('rcf_mpi_contact_solve', contact%nx, contact%count, step, answer, bytes, approach, load, &
       undeformed_gap, mask, p0, warm_start, p, gap, stat, errmsg)) return
-    if (allocated(bytes)) step%mask = c_loc(bytes)
     status = rc_mpi_contact_solve(contact%handle, step, answer)
     if (present(result)) result = answer
     call rcf_check(status, stat, errmsg)
@@ -97,7 +96,6 @@ contains
     integer(rc_status) :: status
     if (.not. rcf_prepared('rcf_mpi_contact_certify', contact%nx, contact%count, step, answer, bytes, approach, load, &
       undeformed_gap, mask, p=p, gap=gap, stat=stat, errmsg=errmsg)) return
-    if (allocated(bytes)) step%mask = c_loc(bytes)
     status = rc_mpi_contact_certify(contact%handle, step, answer)
     if (present(result)) result = answer
     call rcf_check(status, stat, errmsg)

@@ -16,7 +16,7 @@ contains
     integer(c_int64_t), intent(in) :: nx, ny
     type(rc_step), intent(out) :: step
     type(rc_result), intent(out) :: answer
-    integer(c_int8_t), allocatable, intent(out) :: bytes(:, :)
+    integer(c_int8_t), allocatable, intent(out), target :: bytes(:, :)
     real(c_double), intent(in), optional :: approach, load
     real(c_double), intent(in), optional, target, contiguous :: undeformed_gap(:, :), p0(:, :)
     logical, intent(in), optional :: mask(:, :), warm_start
@@ -28,28 +28,17 @@ contains
       call rcf_refuse(RC_ERR_ARGUMENT, where//': give one of approach and load', stat, errmsg)
       return
     end if
-    if (present(undeformed_gap)) then
-      if (.not. rcf_shaped(where, 'undeformed_gap', shape(undeformed_gap), nx, ny, stat, errmsg)) return
-    end if
-    if (present(mask)) then
-      if (.not. rcf_shaped(where, 'mask', shape(mask), nx, ny, stat, errmsg)) return
-    end if
-    if (present(p0)) then
-      if (.not. rcf_shaped(where, 'p0', shape(p0), nx, ny, stat, errmsg)) return
-    end if
-    if (present(p)) then
-      if (.not. rcf_shaped(where, 'p', shape(p), nx, ny, stat, errmsg)) return
-    end if
-    if (present(gap)) then
-      if (.not. rcf_shaped(where, 'gap', shape(gap), nx, ny, stat, errmsg)) return
-    end if
+    if (.not. rcf_shaped(where, 'undeformed_gap', undeformed_gap, nx, ny, stat, errmsg)) return
+    if (.not. rcf_masked(where, mask, nx, ny, bytes, step%mask, stat, errmsg)) return
+    if (.not. rcf_shaped(where, 'p0', p0, nx, ny, stat, errmsg)) return
+    if (.not. rcf_shaped(where, 'p', p, nx, ny, stat, errmsg)) return
+    if (.not. rcf_shaped(where, 'gap', gap, nx, ny, stat, errmsg)) return
     step%control = merge(RC_CONTROL_LOAD, RC_CONTROL_APPROACH, present(load))
     if (present(approach)) step%target = approach
     if (present(load)) step%target = load
     if (present(warm_start)) step%warm_start = merge(1, 0, warm_start)
     step%undeformed_gap = rcf_address(undeformed_gap)
     step%p0 = rcf_address(p0)
-    call rcf_mask_bytes(mask, bytes)
     answer%p = rcf_address(p)
     answer%gap = rcf_address(gap)
     ready = .true.

@@ -9,6 +9,18 @@ module roughcontact_structs
   use roughcontact_constants
   implicit none
 
+  type, bind(c) :: rc_array
+    type(c_ptr) :: data = c_null_ptr  ! void *
+    integer(c_int32_t) :: type = 0, reserved = 0
+    type(c_ptr) :: memory = c_null_ptr  ! const char *
+  end type
+
+  type, bind(c) :: rc_const_array
+    type(c_ptr) :: data = c_null_ptr  ! const void *
+    integer(c_int32_t) :: type = 0, reserved = 0
+    type(c_ptr) :: memory = c_null_ptr  ! const char *
+  end type
+
   type, bind(c) :: rc_system
     integer(c_size_t) :: struct_size = merge(96, 80, c_intptr_t == 8)
     integer(c_int32_t) :: op = RC_OPERATOR_HALFSPACE, boundary = 0
@@ -25,31 +37,33 @@ module roughcontact_structs
     integer(c_size_t) :: struct_size = merge(72, 48, c_intptr_t == 8)
     integer(c_int32_t) :: control = 0, warm_start = 1
     real(c_double) :: target = 0
-    type(c_ptr) :: undeformed_gap = c_null_ptr, p0 = c_null_ptr  ! const double *
-    type(c_ptr) :: mask = c_null_ptr  ! const uint8_t *
-    integer(c_int32_t) :: borrow = 0, reserved = 0
+    type(c_ptr) :: undeformed_gap = c_null_ptr  ! const double *
     type(c_ptr) :: undeformed_gap_single = c_null_ptr  ! const float *
+    type(c_ptr) :: mask = c_null_ptr  ! const uint8_t *
+    type(c_ptr) :: p0 = c_null_ptr  ! const double *
     type(c_ptr) :: memory = c_null_ptr  ! const char *
+    integer(c_int32_t) :: borrow = 0, reserved = 0
   end type
 
   type, bind(c) :: rc_result
     integer(c_size_t) :: struct_size = merge(608, 584, c_intptr_t == 8)
     type(c_ptr) :: p = c_null_ptr, gap = c_null_ptr  ! double *
-    integer(rc_status) :: status = RC_ERR_ARGUMENT
-    integer(c_int32_t) :: reserved = 0
-    integer(c_int64_t) :: iterations = 0, products = 0, points = 0, candidates = 0, modelled = 0, contacts = 0
-    real(c_double) :: load = 0, approach = 0, mean_pressure = 0, contact_area = 0, energy = 0, stiffness = 0, kkt_primal = 0, &
-      kkt_dual = 0, kkt_complementarity = 0, kkt_control = 0, seconds = 0, setup_seconds = 0
-    character(kind=c_char) :: solver(32) = c_null_char, backend(32) = c_null_char, kernel(32) = c_null_char, note(160) = c_null_char
-    real(c_double) :: duality_gap = 0, load_lower = 0, load_upper = 0, area_lower = 0, area_upper = 0
-    integer(c_int64_t) :: proven_contacts = 0, proven_open = 0, undecided = 0, levels = 0
-    real(c_double) :: tolerance = 0, stiffness_lower = 0, stiffness_upper = 0
-    integer(c_int64_t) :: capped = 0
-    real(c_double) :: plastic_volume = 0
-    integer(c_int64_t) :: proven_capped = 0
     type(c_ptr) :: p_single = c_null_ptr, gap_single = c_null_ptr  ! float *
     type(c_ptr) :: memory = c_null_ptr  ! const char *
-    real(c_double) :: area_fraction = 0, max_pressure = 0, mean_gap = 0, punch_stiffness = 0
+    integer(rc_status) :: status = RC_ERR_ARGUMENT
+    integer(c_int32_t) :: reserved = 0
+    real(c_double) :: load = 0, approach = 0, mean_pressure = 0, max_pressure = 0, contact_area = 0, area_fraction = 0, &
+      mean_gap = 0, energy = 0
+    integer(c_int64_t) :: contacts = 0
+    real(c_double) :: kkt_primal = 0, kkt_dual = 0, kkt_complementarity = 0, kkt_control = 0, tolerance = 0, duality_gap = 0, &
+      load_lower = 0, load_upper = 0, area_lower = 0, area_upper = 0
+    integer(c_int64_t) :: proven_contacts = 0, proven_open = 0, undecided = 0
+    real(c_double) :: stiffness = 0, stiffness_lower = 0, stiffness_upper = 0, punch_stiffness = 0
+    integer(c_int64_t) :: capped = 0
+    real(c_double) :: plastic_volume = 0
+    integer(c_int64_t) :: proven_capped = 0, points = 0, candidates = 0, modelled = 0, iterations = 0, products = 0, levels = 0
+    real(c_double) :: seconds = 0, setup_seconds = 0
+    character(kind=c_char) :: solver(32) = c_null_char, backend(32) = c_null_char, kernel(32) = c_null_char, note(160) = c_null_char
   end type
 
   type, bind(c) :: rc_accuracy

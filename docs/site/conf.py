@@ -104,6 +104,7 @@ docs/peers
 :glob:
 
 CONTRIBUTING
+docs/development/tests
 CHANGELOG
 backends/*/README
 src/solvers/haar_cg/README

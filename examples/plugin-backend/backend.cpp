@@ -78,8 +78,6 @@ class Pairs {
   double mean_ = 0;            // periodic: what the zero mode adds to every coefficient
 };
 
-using Functions = roughcontact::Functions<Pairs>;
-
 const rc_option_spec parallel_from = {.struct_size = sizeof(rc_option_spec),
                                       .key = "pairs.parallel_from",
                                       .default_value = "100000",
@@ -89,29 +87,11 @@ const rc_option_spec parallel_from = {.struct_size = sizeof(rc_option_spec),
                                       .maximum = 1e12};
 const rc_option_spec* const options[] = {&parallel_from};
 
-const rc_backend backend = {.struct_size = sizeof(rc_backend),
-                            .name = "pairs",
-                            .summary = "direct summation over pairs of points, from a table of coefficients",
-                            .license = "BSD-3-Clause",
-                            .caps = RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_THREAD_INVARIANT,
-                            .n_options = 1,
-                            .options = options,
-                            .create = Functions::create,
-                            .destroy = Functions::destroy,
-                            .bind = Functions::bind,
-                            .apply = Functions::apply,
-                            .field = Functions::field,
-                            .modelled = Functions::modelled,
-                            .score = Functions::score};
-const rc_backend* const backends[] = {&backend};
-
-const rc_plugin plugin = {.struct_size = sizeof(rc_plugin),
-                          .abi_major = RC_PLUGIN_ABI_MAJOR,
-                          .abi_minor = RC_PLUGIN_ABI_MINOR,
-                          .name = "pairs",
-                          .version = "1.0",
-                          .n_backends = 1,
-                          .backends = backends};
+constexpr rc_backend backend =
+    roughcontact::backend<Pairs>("direct summation over pairs of points, from a table of coefficients", "BSD-3-Clause",
+                                 RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_THREAD_INVARIANT, options);
+constexpr const rc_backend* backends[] = {&backend};
+constexpr rc_plugin plugin = roughcontact::plugin("pairs", "1.0", backends);
 
 }  // namespace
 

@@ -17,8 +17,7 @@ typedef struct rc_area {
                            and where the mask is 0 nothing is in contact                                             */
   double corrected_area; /* area less what the cells at its border add, see rc_area_measure [length^2]               */
 } rc_area;
-#define RC_AREA_INIT \
-  { sizeof(rc_area), 0, 0.0, 0.0, 0.0 }
+#define RC_AREA_INIT RC_BEGIN(rc_area)
 
 /** Connected parts of a contact, by rc_patches_find. The caller sets neighbours, room and the arrays, which may be
  *  NULL. Patches are numbered from 0 by their lowest point number, whatever their size. */
@@ -37,8 +36,7 @@ typedef struct rc_patches {
   int64_t *peak;        /* out, the point with max_pressure, of equal ones the first                                 */
   int64_t count;        /* out: patches, also those beyond room                                                      */
 } rc_patches;
-#define RC_PATCHES_INIT \
-  { sizeof(rc_patches), 4, 0, 0, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, 0 }
+#define RC_PATCHES_INIT RC_BEGIN_WITH(rc_patches, neighbours = 4)
 
 /** Distribution of pressure over the points in contact, by rc_histogram_fill. The caller sets bins, upper and the
  *  arrays, which may be NULL. Bin k holds the pressures k width < p <= (k + 1) width, to round-off. */
@@ -56,8 +54,7 @@ typedef struct rc_histogram {
   double mean_pressure; /* out, of the points in contact [force/length^2]; 0 without contact                         */
   double max_pressure;  /* out [force/length^2]                                                                      */
 } rc_histogram;
-#define RC_HISTOGRAM_INIT \
-  { sizeof(rc_histogram), 0, 0.0, NULL, NULL, 0.0, 0, 0, 0.0, 0.0 }
+#define RC_HISTOGRAM_INIT RC_BEGIN(rc_histogram)
 
 /** Whether a contact and the open gap around it reach across the surface, by rc_crossing_find. All of it is written. */
 typedef struct rc_crossing {
@@ -65,8 +62,7 @@ typedef struct rc_crossing {
   int32_t contact_x, contact_y; /* 1: a connected part of the contact reaches across along x, along y; 0: none does  */
   int32_t gap_x, gap_y; /* the same for the points without contact                                                   */
 } rc_crossing;
-#define RC_CROSSING_INIT \
-  { sizeof(rc_crossing), 0, 0, 0, 0 }
+#define RC_CROSSING_INIT RC_BEGIN(rc_crossing)
 
 /** @defgroup analysis Analysis: what a contact looks like
  *  Functions of pressures alone, the caller's or a result's, without handles; any thread. Of the system nx, ny, hx, hy and the

@@ -47,8 +47,7 @@ typedef struct rc_gradient {
   int64_t undecided;     /* out: points neither proven to be in contact nor to be open; -1: nothing is proven        */
   int64_t products;      /* out: products with H                                                                     */
 } rc_gradient;
-#define RC_GRADIENT_INIT \
-  { sizeof(rc_gradient), NULL, NULL, 0.0, 0.0, NULL, 0.0, 0.0, 0.0, 0, 0 }
+#define RC_GRADIENT_INIT RC_BEGIN(rc_gradient)
 
 /** Forward mode: how the answer changes with given changes of the data. */
 typedef struct rc_tangent {
@@ -65,8 +64,7 @@ typedef struct rc_tangent {
   int64_t undecided;     /* out, as in rc_gradient                                                                   */
   int64_t products;      /* out                                                                                      */
 } rc_tangent;
-#define RC_TANGENT_INIT \
-  { sizeof(rc_tangent), NULL, 0.0, 0.0, NULL, NULL, 0.0, 0.0, 0.0, 0, 0 }
+#define RC_TANGENT_INIT RC_BEGIN(rc_tangent)
 
 RC_API rc_status rc_contact_gradient(rc_contact *contact, rc_gradient *gradient);
 RC_API rc_status rc_contact_tangent(rc_contact *contact, rc_tangent *tangent);

@@ -22,8 +22,7 @@ typedef struct rc_direct {
   double duality_gap, load_lower, load_upper; /* as in rc_result                                                     */
   char note[160];       /* as in rc_result                                                                           */
 } rc_direct;
-#define RC_DIRECT_INIT \
-  { sizeof(rc_direct), RC_ERR_ARGUMENT, 0, 0, 0, 0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, "" }
+#define RC_DIRECT_INIT RC_BEGIN_WITH(rc_direct, status = RC_ERR_ARGUMENT)
 
 /** @defgroup direct Direct routines: one call, plain arguments, no handles
  *  Minimise 1/2 p'Hp - u'p over p >= 0 for the caller's symmetric positive definite n x n matrix H (row stride ld >= n):

@@ -31,8 +31,7 @@ typedef struct rc_surface_read_spec {
                           NULL: "m"                                                                          */
   double hx, hy;       /* pitch, in the place of the file's; both 0: the file's                              */
 } rc_surface_read_spec;
-#define RC_SURFACE_READ_SPEC_INIT \
-  { sizeof(rc_surface_read_spec), NULL, NULL, 0.0, 0.0 }
+#define RC_SURFACE_READ_SPEC_INIT RC_BEGIN(rc_surface_read_spec)
 
 /** A surface as it was read. Begin with RC_SURFACE_FILE_INIT; rc_surface_file_free frees what a call has put in. */
 typedef struct rc_surface_file {
@@ -73,8 +72,7 @@ typedef struct rc_surface_format {
   int32_t by_contents;   /* 1: recognised by its contents; 0: by the suffix                                   */
   int32_t reserved;
 } rc_surface_format;
-#define RC_SURFACE_FORMAT_INIT \
-  { sizeof(rc_surface_format), NULL, NULL, NULL, NULL, 0, 0 }
+#define RC_SURFACE_FORMAT_INIT RC_BEGIN(rc_surface_format)
 
 RC_API int64_t rc_surface_format_count(void);
 

@@ -37,8 +37,7 @@ typedef struct rc_history {
                            costs no product over the whole grid                                                      */
   int32_t reserved;     /* 0                                                                                         */
 } rc_history;
-#define RC_HISTORY_INIT \
-  { sizeof(rc_history), 0, 1, 0, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, 0, 1, 0 }
+#define RC_HISTORY_INIT RC_BEGIN_WITH_TWO(rc_history, warm_start = 1, want_gap = 1)
 
 /** Solves the steps of a loading history in order. A step that fails or is not certified ends the history with its
  *  status; the steps before it stay written, `completed` says how many. RC_STOP_CANCELLED if fn ended it (that step
@@ -68,8 +67,7 @@ typedef struct rc_state {
   double approach_before, load_before;
   const double *indentation; /* [n] of rc_contact_indentation after its last step, >= 0 [length]; NULL: none          */
 } rc_state;
-#define RC_STATE_INIT \
-  { sizeof(rc_state), NULL, NULL, NULL, 0.0, 0.0, NULL, 0.0, 0.0, NULL }
+#define RC_STATE_INIT RC_BEGIN(rc_state)
 
 /** Puts the contact, a new one or one that has solved steps, where another one of the same system and options was after a
  *  certified step: the next steps start from the same pressures and approaches. With option resumable = 1, in the contact that
@@ -126,9 +124,7 @@ typedef struct rc_batch {
   int64_t first;        /* out: the contact whose status is returned; -1: none, or RC_WITHIN_GOAL                    */
   rc_batch_progress_fn progress; /* sees how far the batch is; NULL: none                                            */
 } rc_batch;
-#define RC_BATCH_INIT                                                                                                  \
-  { sizeof(rc_batch), 0, 1, 0, 0, NULL, 0, NULL, 0, NULL, 0, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, \
-    NULL, NULL, NULL, 0, 0, -1, NULL }
+#define RC_BATCH_INIT RC_BEGIN_WITH_TWO(rc_batch, warm_start = 1, first = -1)
 
 /** Solves the history of every contact, each as by an rc_contact of its own and rc_contact_solve_history: the same bits, whatever
  *  the number of threads. A solver that takes many contacts at once ("haar-cuda") gives other bits than contacts of their own,
@@ -159,8 +155,7 @@ typedef struct rc_level {
   int64_t candidates;   /* points that were allowed pressure                                                         */
   int64_t contacts;     /* points with p > 0                                                                         */
 } rc_level;
-#define RC_LEVEL_INIT \
-  { sizeof(rc_level), NULL, RC_ERR_ARGUMENT, 0, 0, 0, 0.0, 0.0, 0.0, 0.0, 0, 0 }
+#define RC_LEVEL_INIT RC_BEGIN_WITH(rc_level, status = RC_ERR_ARGUMENT)
 
 /** The i-th coarse solution of the last step, 0 (coarsest) .. rc_result.levels-1. Errors: ARGUMENT, BUSY. */
 RC_API rc_status rc_contact_level(rc_contact *contact, int64_t i, rc_level *out);

@@ -7,6 +7,11 @@
  *
  * The core hands backends and solvers a *dimensionless* problem for half-space grids (modulus 1, cells of unit
  * area), so no component needs to think about units.
+ *
+ * Growth: every struct begins with struct_size, which the side that fills it sets to sizeof. A later minor number adds
+ * members at the ends of structs. The library refuses tables (rc_plugin, rc_backend, rc_solver, rc_kernel) that are smaller
+ * than those of 1.0, takes members beyond their struct_size as zero, and ignores members that it does not know. A member
+ * that is added later names its minor number; before a plugin reads one, it compares struct_size. All below is of 1.0.
  */
 #ifndef ROUGHCONTACT_PLUGIN_H
 #define ROUGHCONTACT_PLUGIN_H
@@ -14,7 +19,7 @@
 #include "registry.h"
 
 #define RC_PLUGIN_ABI_MAJOR 1u /* must be equal; part of the directory name as well                           */
-#define RC_PLUGIN_ABI_MINOR 14u /* grows when a vtable gets a new member at its end                           */
+#define RC_PLUGIN_ABI_MINOR 0u /* grows with members at the ends of structs                                   */
 
 #ifdef __cplusplus
 extern "C" {
@@ -25,33 +30,41 @@ typedef struct rc_host rc_host;
 struct rc_host {
   size_t struct_size;
   uint32_t abi_major, abi_minor;
+
+  /* Messages */
   /** Sets the thread's message and returns code, so that `return host->fail(host, RC_ERR_..., "...")` works. */
   rc_status (*fail)(const rc_host *, rc_status code, const char *message);
   void (*log)(const rc_host *, int32_t level, const char *message);
-  /** Process-wide named locks for libraries with global state ("fftw" guards FFTW's planner). Not recursive. */
-  void (*lock)(const rc_host *, const char *resource);
-  void (*unlock)(const rc_host *, const char *resource);
+
+  /* Options, by key */
   rc_status (*option_int)(const rc_host *, const rc_options *, const char *key, int64_t *out);
   rc_status (*option_real)(const rc_host *, const rc_options *, const char *key, double *out);
   rc_status (*option_text)(const rc_host *, const rc_options *, const char *key, const char **out);
+
+  /* Values of H */
   /** H at the offsets (ix, iy), 0 <= ix < mx, 0 <= iy < my, into out[iy*mx + ix] [length per pressure]. Periodic
    *  systems: of the periodic Green's function without its mean (zero_mode = 0). HALFSPACE only. */
   rc_status (*coefficients)(const rc_host *, const rc_system *, const char *kernel, int64_t mx, int64_t my, double *out);
-  /** Periodic systems: eigenvalues of H at wave numbers kx = 0..nx/2, ky = 0..ny/2 into out[ky*(nx/2+1) + kx];
-   *  those at nx-kx and ny-ky are equal. out[0] (the mean) is 0. */
-  rc_status (*symbol)(const rc_host *, const rc_system *, const char *kernel, double *out);
   /** Free systems: H at the offsets (first_x + ix, first_y + iy), as coefficients() has it. Several threads may call it at
    *  the same time; a message is seen in the thread that called. */
   rc_status (*window)(const rc_host *, const rc_system *, const char *kernel, int64_t first_x, int64_t first_y, int64_t mx,
                       int64_t my, double *out);
-  /** What all contacts of a context with one system, kernel and length unit may share: the object under the component's own
-   *  key. Where nobody holds one, make(argument, object) makes it; threads that want the same one wait. destroy(object) follows
-   *  the last release(), in any thread. What make() reads must be the same for all of them. Both since plugin ABI minor 7. */
+  /** Periodic systems: eigenvalues of H at wave numbers kx = 0..nx/2, ky = 0..ny/2 into out[ky*(nx/2+1) + kx];
+   *  those at nx-kx and ny-ky are equal. out[0] (the mean) is 0. */
+  rc_status (*symbol)(const rc_host *, const rc_system *, const char *kernel, double *out);
+
+  /* Threads and contacts that share something */
+  /** Process-wide named locks for libraries with global state ("fftw" guards FFTW's planner). Not recursive. */
+  void (*lock)(const rc_host *, const char *resource);
+  void (*unlock)(const rc_host *, const char *resource);
+  /** An object that all contacts of a context with one system, kernel and length unit may share, under the component's own key. If
+   *  no contact holds it, make(argument, object) makes it; threads that want the same one wait. destroy(object) follows the last
+   *  release(), in any thread. make() must read the same values for all of them. */
   rc_status (*share)(const rc_host *, const char *key, rc_status (*make)(void *argument, void **object),
                      void (*destroy)(void *object), void *argument, void **object);
   void (*release)(const rc_host *, void *object); /* once for each share()                                     */
   /** As share(), but the contact or batch holds the object until it is destroyed: no release(). of_system: 1: only contacts with
-   *  the same system share the object; 0: all contacts of the context do. Since plugin ABI minor 13. */
+   *  the same system share the object; 0: all contacts of the context do. */
   rc_status (*keep)(const rc_host *, int32_t of_system, const char *key, rc_status (*make)(void *argument, void **object),
                     void (*destroy)(void *object), void *argument, void **object);
 };
@@ -66,21 +79,20 @@ struct rc_team {
   void (*share)(const rc_team *, int64_t items, void (*task)(void *argument, int64_t item, int64_t thread), void *argument);
 };
 
-/** Processes that share a grid, each with some of its rows. All of them call the same function at the same time, on the thread that
- *  uses the operator. */
+/** The rows of a grid that each of several processes (ranks) has. All ranks call the same function at the same time, on the thread
+ *  that uses the operator. A rank on which an exchange fails goes on as if it had not: agree() returns the failure to all. */
 typedef struct rc_rows rc_rows;
 struct rc_rows {
   size_t struct_size;
-  int64_t rank, ranks;  /* this process is number `rank` of so many                                            */
-  const int64_t *first; /* [ranks + 1] process r has the rows first[r] .. first[r+1] - 1; first[ranks] = ny     */
-  /** sent[r] bytes to each process, one after the other in `from`; received[r] bytes from each, likewise into `into`. What fails
-   *  here is told to all later: go on as if it had not. */
+  int64_t rank, ranks;  /* 0 <= rank < ranks                                                                   */
+  const int64_t *first; /* [ranks + 1] rank r has the rows first[r] .. first[r+1] - 1; first[ranks] = ny        */
+  /** sent[r] bytes to each rank, one after the other in `from`; received[r] bytes from each, likewise into `into`. */
   void (*transpose)(const rc_rows *, const void *from, const int64_t *sent, void *into, const int64_t *received);
-  /** Before a transpose() for which a process may be missing: whether any of them has failed. `mine`: this one's status, with its
-   *  message set. The same status on all of them, to be returned. */
-  rc_status (*agree)(const rc_rows *, rc_status mine);
-  /** What all processes have, in their order: bytes[r] of process r [ranks]. Failures as in transpose(). */
+  /** The parts of all ranks, in their order: bytes[r] of rank r [ranks]. */
   void (*gather)(const rc_rows *, const void *mine, const int64_t *bytes, void *all);
+  /** Before a transpose() for which a rank may be missing: whether any rank has failed. `mine`: this rank's status, with its
+   *  message set. The same status on all ranks, to be returned. */
+  rc_status (*agree)(const rc_rows *, rc_status mine);
 };
 
 /** What an operator is built for. Valid as long as the operator. */
@@ -91,11 +103,11 @@ struct rc_operator_spec {
   const char *kernel;        /* resolved name; "" for DENSE and CALLBACK                                       */
   const rc_options *options; /* read through rc_host                                                           */
   const rc_team *team;       /* the contact's threads                                                          */
-  /** For what takes long, now and then, on the calling thread. Nonzero: the caller has cancelled or the time is up; return
-   *  it at once. NULL: nobody can stop the operator. Since plugin ABI minor 4. */
+  /** An operator calls it now and then, on the calling thread, while it does what takes long. Nonzero: the caller has cancelled or
+   *  the time is up; return it at once. NULL: nobody can stop the operator. */
   rc_status (*poll)(const rc_operator_spec *);
-  /** NULL: this process has the whole grid. Else vectors are of this process's rows, every point of them, and all processes call
-   *  create, bind and products together. Only backends with RC_CAP_ROWS get it. Since plugin ABI minor 9. */
+  /** NULL: this process has the whole grid. Else vectors are of this rank's rows, every point of them, and all ranks call
+   *  create, bind and products together. Only backends with RC_CAP_ROWS get it. */
   const rc_rows *rows;
 };
 
@@ -107,45 +119,46 @@ typedef struct rc_domain {
   double zero_mode;     /* periodic: eigenvalue of H for the constant vector. 0: the mean plane is the datum   */
 } rc_domain;
 
-/* What a backend can do. A bit without its function, or the reverse, fails registration. */
-#define RC_CAP_FREE (UINT64_C(1) << 0)             /* half-space grids with free boundaries                   */
-#define RC_CAP_PERIODIC (UINT64_C(1) << 1)         /* half-space grids with periodic boundaries               */
-#define RC_CAP_DENSE_INPUT (UINT64_C(1) << 2)      /* the caller's dense matrix                               */
-#define RC_CAP_CALLBACK (UINT64_C(1) << 3)         /* the caller's product                                    */
-#define RC_CAP_SUBSET (UINT64_C(1) << 4)           /* has subset()                                            */
-#define RC_CAP_THREAD_INVARIANT (UINT64_C(1) << 5) /* bitwise equal results for any number of threads         */
-#define RC_CAP_SHIFTED (UINT64_C(1) << 6)          /* has shifted()                                           */
-#define RC_CAP_NORM (UINT64_C(1) << 7)             /* has norm()                                              */
-#define RC_CAP_FLOAT (UINT64_C(1) << 8)            /* has apply_float()                                       */
-#define RC_CAP_SCREEN (UINT64_C(1) << 9)           /* has screen()                                            */
-#define RC_CAP_APPROXIMATE (UINT64_C(1) << 10)     /* products may be off by about 1e-11 of the largest entry */
-#define RC_CAP_FAR_FIELD (UINT64_C(1) << 11)   /* only for kernels with RC_KERNEL_FAR_FIELD                    */
-#define RC_CAP_SINGLE_GAP (UINT64_C(1) << 12)  /* screen() reads rc_screen.undeformed_gap_single, too          */
-#define RC_CAP_ROWS (UINT64_C(1) << 13)        /* reads rc_operator_spec.rows                                  */
-#define RC_CAP_SCREEN_ROWS (UINT64_C(1) << 14) /* screen() reads rc_screen.first_row and rows                  */
+/* What a backend can do (rc_backend.caps). A function's bit without the function, or the reverse, fails registration; in C++
+ * roughcontact::backend sets these bits. */
+/* Systems; at least one of the first four */
+#define RC_CAP_FREE (UINT64_C(1) << 0)        /* half-space grids with free boundaries                         */
+#define RC_CAP_PERIODIC (UINT64_C(1) << 1)    /* half-space grids with periodic boundaries                     */
+#define RC_CAP_DENSE_INPUT (UINT64_C(1) << 2) /* the caller's dense matrix                                     */
+#define RC_CAP_CALLBACK (UINT64_C(1) << 3)    /* the caller's product                                          */
+#define RC_CAP_FAR_FIELD (UINT64_C(1) << 4)   /* only for kernels with RC_KERNEL_FAR_FIELD                     */
+#define RC_CAP_ROWS (UINT64_C(1) << 5)        /* grids that ranks share: reads rc_operator_spec.rows           */
+/* Products */
+#define RC_CAP_THREAD_INVARIANT (UINT64_C(1) << 6) /* bitwise equal for any number of threads                  */
+#define RC_CAP_APPROXIMATE (UINT64_C(1) << 7)      /* may be off by about 1e-11 of the largest entry           */
+/* Functions */
+#define RC_CAP_FLOAT (UINT64_C(1) << 8)    /* apply_float()                                                    */
+#define RC_CAP_SCREEN (UINT64_C(1) << 9)   /* screen()                                                         */
+#define RC_CAP_SUBSET (UINT64_C(1) << 10)  /* subset()                                                         */
+#define RC_CAP_SHIFTED (UINT64_C(1) << 11) /* shifted()                                                        */
+#define RC_CAP_NORM (UINT64_C(1) << 12)    /* norm()                                                           */
 
 /** The surface against which a product over all points is compared. */
 typedef struct rc_screen {
   size_t struct_size;
-  double approach, unit; /* a point overlaps where unit (H x) < approach - undeformed_gap                      */
-  const double *undeformed_gap; /* [nx*ny]                                                                     */
+  double approach, unit; /* a point overlaps if unit (H x) < approach - undeformed_gap                         */
+  rc_const_array undeformed_gap; /* [nx*ny] in the host's memory, of either type                               */
   const uint8_t *mask;   /* [nx*ny] 0: not looked at; NULL: all points are                                     */
-  double *y;             /* [n] out: H[T,T] x                                                                  */
-  int64_t room;          /* entries of found and depth                                                         */
-  int64_t *found;        /* [room] out: overlapping points outside T, as many as there is room for             */
-  double *depth;         /* [room] out: approach - undeformed_gap - unit (H x) of each                         */
-  int64_t n_found;       /* out: all that overlap, also where there is no room for them                        */
   /* [ceil(nx/16) * ceil(ny/16)] a lower bound of the gap at the points looked at of each tile of 16 x 16 points, row by row
      (+infinity: there is none); spares the pass over the gap. NULL: none is known                             */
   const double *tile_lowest;
-  /* [nx*ny] in place of undeformed_gap, which is then NULL: only backends with RC_CAP_SINGLE_GAP get it. Since ABI minor 8 */
-  const float *undeformed_gap_single;
-  /* rows > 0: gaps and mask are those of rows first_row .. first_row + rows - 1 alone, and no other point outside T is looked at;
-     tile_lowest is then NULL. Only backends with RC_CAP_SCREEN_ROWS get that. Since ABI minor 11 */
+  /* Rows. rows > 0: gap and mask are those of rows first_row .. first_row + rows - 1 only, and no other point outside T is
+     looked at; tile_lowest is then NULL                                                                       */
   int64_t first_row, rows;
+  /* Out */
+  double *y;             /* [n] H[T,T] x                                                                       */
+  int64_t room;          /* in: entries of found and depth                                                     */
+  int64_t *found;        /* [room] overlapping points outside T, as many as there is room for                  */
+  double *depth;         /* [room] approach - undeformed_gap - unit (H x) of each                              */
+  int64_t n_found;       /* all that overlap, also those for which there is no room                            */
 } rc_screen;
 
-/** What a component is asked to do, so far as it is known before an operator is made. */
+/** The task of a component, as far as it is known before an operator is made. */
 typedef struct rc_estimate rc_estimate;
 typedef struct rc_facts {
   size_t struct_size;
@@ -155,14 +168,15 @@ typedef struct rc_facts {
   int64_t n;                  /* points that may carry pressure                                                */
   int64_t box;                /* points of their bounding box                                                  */
   double tol;                 /* residual to reach                                                             */
-  const rc_estimate *backend; /* solvers: the backend's estimate; backends: NULL                               */
-  uint64_t caps;              /* solvers: what the backend can do, RC_CAP_*; backends: 0                       */
+  /* Solvers only */
+  const rc_estimate *backend; /* the backend's estimate                                                        */
+  uint64_t caps;              /* what the backend can do, RC_CAP_*                                             */
+  int64_t at_once;            /* number of such contacts: solvers with solve_many() estimate the cost of each  */
   int32_t partial;            /* 1: the solver is stopped after some steps, for the pressures that it has by then */
   int32_t reserved;
-  int64_t at_once;            /* so many such contacts: solvers with solve_many() say what each costs. Since ABI minor 11   */
 } rc_facts;
 
-/** What it would cost, on one thread. Zero where nothing is written. */
+/** What it would cost, on one thread. Zero if nothing is written. */
 struct rc_estimate {
   size_t struct_size;
   double seconds; /* backend: to make the operator; solver: for the step, the operator's making and work included */
@@ -175,12 +189,16 @@ struct rc_estimate {
  *  used by one thread at a time; several operators may be used at the same time. */
 typedef struct rc_backend {
   size_t struct_size;
+
+  /* Required: who it is */
   const char *name;    /* [a-z][a-z0-9_-]{0,30}                                                                */
   const char *summary; /* one line                                                                             */
   const char *license; /* SPDX, of the backend with its dependencies                                           */
   uint64_t caps;       /* RC_CAP_*                                                                             */
   int64_t n_options;
   const rc_option_spec *const *options; /* keys "<name>.<key>"                                                 */
+
+  /* Required: operators and their products */
   /** Builds an operator. bind() is called before any product. */
   rc_status (*create)(const rc_host *, const rc_operator_spec *, void **self);
   void (*destroy)(void *self);
@@ -192,31 +210,40 @@ typedef struct rc_backend {
   rc_status (*field)(void *self, const double *x, double *y);
   /** Number of points the operator works on for the bound domain: n for a dense one, the box for a transform. */
   int64_t (*modelled)(void *self);
-  /** RC_CAP_SUBSET, else NULL: solve H[a,a] x = b for the na ascending positions a in the domain. Successive
-   *  calls with sets that differ little should be cheap. RC_ERR_NUMERIC if H[a,a] is not positive definite. */
-  rc_status (*subset)(void *self, int64_t na, const int64_t *a, const double *b, double *x);
-  /** RC_CAP_SHIFTED, else NULL: solve (H[T,T] + rho I) x = b, rho > 0. Successive calls with one rho should be cheap.
-   *  RC_ERR_NUMERIC if the matrix is not positive definite. */
-  rc_status (*shifted)(void *self, double rho, const double *b, double *x);
-  /** RC_CAP_NORM, else NULL: the Frobenius norm of H[T,T]. */
-  rc_status (*norm)(void *self, double *out);
-  /** RC_CAP_FLOAT, else NULL: y = H[T,T] x in single precision, much faster than apply(). x and y do not overlap. */
+
+  /* Choice, optional */
+  /** What "auto" compares; from counts, never from clocks. NULL: after all that have one. A status other than RC_OK, with
+   *  facts->host->fail and the reason: not for this step, unless it is named. */
+  rc_status (*score)(const rc_facts *, rc_estimate *);
+
+  /* Products, optional */
+  /** RC_CAP_FLOAT: y = H[T,T] x in single precision, much faster than apply(). x and y do not overlap. */
   rc_status (*apply_float)(void *self, const float *x, float *y);
-  /** RC_CAP_SCREEN, else NULL: for x >= 0, H[T,T] x and the points outside T that overlap, without a product for points that
+  /** RC_CAP_SCREEN: for x >= 0, H[T,T] x and the points outside T that overlap, without a product for points that
    *  are proven to stay apart. */
   rc_status (*screen)(void *self, const double *x, rc_screen *);
-  /** NULL where it could keep nothing: a new history of loading begins. Products after the next bind() are those of a new
-   *  operator, bit for bit; what is the same for every operator of this system may be kept. */
+
+  /* Solving, optional */
+  /** RC_CAP_SUBSET: solve H[a,a] x = b for the na ascending positions a in the domain. Successive
+   *  calls with sets that differ little should be cheap. RC_ERR_NUMERIC if H[a,a] is not positive definite. */
+  rc_status (*subset)(void *self, int64_t na, const int64_t *a, const double *b, double *x);
+  /** RC_CAP_SHIFTED: solve (H[T,T] + rho I) x = b, rho > 0. Successive calls with one rho should be cheap.
+   *  RC_ERR_NUMERIC if the matrix is not positive definite. */
+  rc_status (*shifted)(void *self, double rho, const double *b, double *x);
+  /** RC_CAP_NORM: the Frobenius norm of H[T,T]. */
+  rc_status (*norm)(void *self, double *out);
+
+  /* Between steps, optional */
+  /** Forget everything that depends on earlier steps: products after the next bind() must equal a new operator's, bit for bit. What
+   *  is the same for every operator of this system may be kept. NULL: nothing is kept. */
   rc_status (*forget)(void *self);
-  /** What "auto" compares; from counts, never from clocks. NULL: after all that have one. A status other than RC_OK, with
-   *  facts->host->fail and the reason: not for this step, unless it is named. Since plugin ABI minor 5. */
-  rc_status (*score)(const rc_facts *, rc_estimate *);
-  /** NULL where it would free nothing: a step is over. Memory that only products need may be freed, or lent to the operators of
-   *  other contacts. Later products keep their bits. Since plugin ABI minor 7. */
+  /** A step is over: memory that only products need may be freed, or lent to the operators of other contacts. Later products keep
+   *  their bits. NULL: nothing would be freed. */
   void (*rest)(void *self);
-  /** Both NULL where products need no device with a memory of its own. Copies so many bytes from the memory of the device that
-   *  the options name to the host's, and the reverse, once what the device was told to do before is done. RC_ERR_ARGUMENT: the
-   *  address is not in that memory. rc_step.memory names the backend. Since plugin ABI minor 10. */
+
+  /* Device, optional, both or none: products need a device with a memory of its own, which rc_array.memory names by the backend */
+  /** Copies bytes from the memory of the device that the options name to the host's, and the reverse, once the device has done what
+   *  it was given before. RC_ERR_ARGUMENT: the address is not in that memory. */
   rc_status (*fetch)(const rc_host *, const rc_options *, void *to_host, const void *from_device, int64_t bytes);
   rc_status (*store)(const rc_host *, const rc_options *, void *to_device, const void *from_host, int64_t bytes);
 } rc_backend;
@@ -226,18 +253,18 @@ typedef struct rc_grid {
   size_t struct_size;
   int64_t nx, ny;
   double hx, hy;        /* cell size [length]                                                                   */
-  const double *undeformed_gap; /* [nx*ny] undeformed gap [length]; meaningless where the mask is 0            */
+  /* [nx*ny] undeformed gap [length], in the host's memory; meaningless where the mask is 0. Only solvers with RC_READS_SINGLE_GAP
+     get it in RC_SINGLE; others get a copy in doubles                                                          */
+  rc_const_array undeformed_gap;
   const uint8_t *mask;  /* [nx*ny] 0: never in contact; NULL: every point may be                                */
   const int64_t *index; /* [n] point numbers of the unknowns, ascending; NULL: every point                      */
   double approach;      /* APPROACH: d [length]; LOAD: the lowest gap, from which d is counted              */
+  double softness;      /* periodic: the largest eigenvalue of H but the mean's, over that of a half-space; free: 1 */
   int32_t boundary;     /* RC_BOUNDARY_*                                                                        */
   int32_t reserved;
-  double softness;      /* periodic: the largest eigenvalue of H but the mean's, over that of a half-space; free: 1 */
-  /* [nx*ny] in place of undeformed_gap, which is then NULL: only solvers with RC_READS_SINGLE_GAP get it. Since ABI minor 8 */
-  const float *undeformed_gap_single;
-  /* The gap once more, of the same type, in the device's memory of this backend. NULL, both: not there. Since ABI minor 10 */
-  const void *gap_on_device;
-  const char *memory;
+
+  /* Device */
+  rc_const_array gap_on_device; /* the gap once more, of the same type; data NULL: it is on no device           */
 } rc_grid;
 
 /** A problem on a coarser grid of the same surface. */
@@ -247,26 +274,31 @@ typedef struct rc_coarse {
   int64_t factor;      /* its cells are this many cells of the problem's grid wide and high                    */
   const double *undeformed_gap; /* [nx*ny] undeformed gap [length]                                             */
   const uint8_t *mask; /* [nx*ny] 0: no pressure here; NULL: every point                                       */
-  double approach;     /* [length] in approach control; LOAD: out                                          */
-  const char *solver;  /* by name                                                                              */
-  double *p;           /* [nx*ny] pressures out [force/length^2]                                               */
   int32_t control;     /* RC_CONTROL_*                                                                         */
-  int32_t keep;        /* 1: the core keeps what it set up for the next step, and a copy of p for the caller; 2: no copy */
+  int32_t keep;        /* 1: the core keeps what it set up for the next step, and a copy of p for the caller; 2: no copy;
+                          0: neither                                                                           */
   double load;         /* LOAD: prescribed [force]                                                             */
   double tol;          /* 0: that of the step                                                                  */
+  const char *solver;  /* by name                                                                              */
+  /* Out */
+  double approach;     /* [length] in: APPROACH; out: LOAD                                                     */
+  double *p;           /* [nx*ny] pressures [force/length^2]                                                   */
 } rc_coarse;
 
-/** Answers that a solver keeps between the steps of a history where it works, as a device does. Valid while solve() runs. */
+/** Answers that a solver keeps between the steps of a history, in its own memory, as on a device. Valid while solve() runs. */
 typedef struct rc_kept_steps rc_kept_steps;
 struct rc_kept_steps {
   size_t struct_size;
-  /* What this solver kept of the last step, NULL where the start is not made of that, and of the one before it. NULL: nothing.
-     Where `last` is not NULL, p is min(max(0, (a + ahead*(a - b)) / pressure), cap) with a point's pressures a and b in these
-     steps; b plays no part where ahead is 0. p has these values in any case. The solver may drop what it kept, and no later
+  /* What this solver kept of the last step, NULL if the start is not made of that, and of the one before it. NULL: nothing.
+     If `last` is not NULL, p is min(max(0, (a + ahead*(a - b)) / pressure), cap) with a point's pressures a and b in these
+     steps; b plays no part if ahead is 0. p has these values in any case. The solver may drop what it kept, and no later
      step starts from `before`: its memory is free for use                                                              */
   void *last, *before;
   double ahead;
   double hardness; /* [force/length^2] pressure of a point with p = cap, others have p*rc_problem.pressure; INFINITY: none */
+  int32_t may_go_without; /* if there is no memory for what only makes steps faster: 1: go on without it; 0: fail (other ranks
+                             make the same step)                                                                        */
+  int32_t reserved;
   /** Hands over an object that stands for the p that solve() then returns. It is passed to destroy once no later step can start
    *  from it: during a later step, or with the contact; rc_host is still valid. */
   void (*keep)(const rc_kept_steps *, void *object, void (*destroy)(void *object));
@@ -277,27 +309,48 @@ struct rc_kept_steps {
 typedef struct rc_problem rc_problem;
 struct rc_problem {
   size_t struct_size;
+
+  /* The problem */
   int64_t n;          /* unknowns                                                                              */
   int32_t control;    /* RC_CONTROL_*                                                                          */
-  int32_t reserved;
+  int32_t positive;   /* 1: no entry of H is negative                                                          */
   const double *u;    /* [n] APPROACH: compenetration d - h; LOAD: -h. NULL: see RC_READS_GAP                */
   double load;        /* LOAD: the sum of p that is wanted                                                     */
+  double cap;         /* the largest pressure: 0 <= p <= cap; p = cap: w <= 0. INFINITY: none                  */
   double tol;         /* residual to reach, relative to a compenetration of 1                                  */
+  double lambda_min;  /* a lower bound of the eigenvalues of H; 0: none is known                               */
+  double zero_mode;   /* periodic: eigenvalue of H for the constant vector, which coefficients() leaves out    */
+  double length, pressure; /* units: u and d in lengths [length], p in pressures [force/length^2]; 0 without a grid */
+  const rc_grid *grid;     /* NULL for the caller's matrix and product                                         */
+  const rc_team *team;     /* the contact's threads                                                            */
+
+  /* Progress */
+  /** Once an iteration, with the worst residual as the solver sees it. Nonzero: return it at once. */
+  rc_status (*poll)(const rc_problem *, int64_t iteration, double kkt);
+  /** Adds a remark to rc_result.note, "solver: what was done instead, what is wrong with the answer". A later one that
+   *  begins with the same words up to the colon replaces it. */
+  void (*note)(const rc_problem *, const char *text);
+
+  /* Products */
   /** y = H x. Counts and polls; a status other than 0 must be returned at once (it may be a stop). */
   rc_status (*apply)(const rc_problem *, const double *x, double *y);
+  /** y = H x in single precision. NULL if the backend has none. */
+  rc_status (*apply_float)(const rc_problem *, const float *x, float *y);
+  /** H at the offsets (ix, iy), 0 <= ix < mx, 0 <= iy < my, into out[iy*mx + ix]; periodic: without its mean. NULL without
+   *  a grid. */
+  rc_status (*coefficients)(const rc_problem *, int64_t mx, int64_t my, double *out);
+  /** A solver that multiplies by itself, by an H that it makes from coefficients(), reports here how many products it has made
+   *  since the last report: rc_result counts them. */
+  void (*multiplied)(const rc_problem *, int64_t products);
+
+  /* Solving */
   /** H[a,a] x = b for ascending positions a: the backend's, or conjugate gradients from the x given (finite) to a
    *  thousandth of tol. NULL if fallbacks are off. */
   rc_status (*subset)(const rc_problem *, int64_t na, const int64_t *a, const double *b, double *x);
-  /** Once an iteration, with the worst residual as the solver sees it. Nonzero: return it at once. */
-  rc_status (*poll)(const rc_problem *, int64_t iteration, double kkt);
-  double lambda_min;   /* a lower bound of the eigenvalues of H; 0: none is known                              */
-  int32_t positive;    /* 1: no entry of H is negative                                                         */
-  int32_t factors;     /* 1: subset() is the backend's factorisation; 0: iterations with products              */
-  const rc_grid *grid; /* NULL for the caller's matrix and product                                             */
   /** (H + rho I) x = b: the backend's, or conjugate gradients to a relative residual of tol. x: start in, answer
    *  out. NULL if fallbacks are off and the backend has none. */
   rc_status (*shifted)(const rc_problem *, double rho, double tol, const double *b, double *x);
-  /** The Frobenius norm of H. NULL if the backend cannot tell. */
+  /** The Frobenius norm of H. NULL if the backend has no norm(). */
   rc_status (*norm)(const rc_problem *, double *out);
   /** APPROACH: another solver ("auto": one that suits the backend) on this problem with pressure at the na ascending
    *  positions a only. p [n]: start in (its other values do not matter), answer out (0 elsewhere). product: NULL, or [n]
@@ -306,29 +359,20 @@ struct rc_problem {
                      double *product);
   /** Solves on a coarser grid; NULL without a grid. RC_OK: certified. */
   rc_status (*coarse)(const rc_problem *, rc_coarse *);
-  /** Adds a remark to rc_result.note, "solver: what was done instead, what is wrong with the answer". A later one that
-   *  begins with the same words up to the colon replaces it. */
-  void (*note)(const rc_problem *, const char *text);
-  /** H at the offsets (ix, iy), 0 <= ix < mx, 0 <= iy < my, into out[iy*mx + ix]; periodic: without its mean. NULL without
-   *  a grid. */
-  rc_status (*coefficients)(const rc_problem *, int64_t mx, int64_t my, double *out);
-  /** y = H x in single precision. NULL if the backend has none. */
-  rc_status (*apply_float)(const rc_problem *, const float *x, float *y);
-  const rc_team *team;     /* the contact's threads                                                            */
-  double length, pressure; /* units: u and d in lengths [length], p in pressures [force/length^2]; 0 without a grid */
-  double cap;              /* the largest pressure: 0 <= p <= cap; p = cap: w <= 0. INFINITY: none                      */
-  /* NULL: all is here. Else the unknowns are every point of this process's rows, masked ones included, whose gap is then far above
-     the others; the grid's nx and ny are of all rows, its arrays of these, and so are those of coarse(). Only solvers with
-     RC_TAKES_ROWS get it. Since ABI minor 9 */
+  int32_t factors;     /* 1: subset() is the backend's factorisation; 0: iterations with products              */
+  int32_t reserved;
+
+  /* Device */
+  const rc_kept_steps *kept; /* NULL: no later step starts from this answer as it is                           */
+
+  /* Rows */
+  /** For solvers that are built into the library (RC_TAKES_ROWS), which use more of the exchange between ranks than rc_rows has.
+   *  NULL: this process has the whole grid. Else the unknowns are every point of this rank's rows, masked ones included, whose gap
+   *  is then far above the others; the grid's nx and ny are of all rows, its arrays of these, and so are those of coarse(). */
   const rc_rows *rows;
-  /** A solver that multiplies by itself, by an H that it makes from coefficients(), says here how many products it made since
-   *  it last said so: rc_result counts them. Since plugin ABI minor 9. */
-  void (*multiplied)(const rc_problem *, int64_t products);
-  double zero_mode; /* periodic: eigenvalue of H for the constant vector, which coefficients() leaves out. Since minor 9 */
-  const rc_kept_steps *history; /* NULL: no later step starts from this answer as it is. Since plugin ABI minor 12 */
 };
 
-/** What a solver says of one step of one of many contacts; in the caller's units. */
+/** A solver's report of one step of one of many contacts; in the caller's units. */
 typedef struct rc_many_answer {
   int32_t solved; /* 1: every residual below is at most rc_many.tol, in all steps before it as well; 0: the rest is not read */
   int32_t reserved;
@@ -345,12 +389,13 @@ typedef struct rc_many_answer {
 typedef struct rc_many rc_many;
 struct rc_many {
   size_t struct_size;
+
+  /* The contacts */
   int64_t n;            /* contacts; 0: a question whether the solver takes such contacts, with RC_OK as "yes" */
   int64_t steps;        /* >= 1, of each                                                                       */
   int32_t control;      /* RC_CONTROL_*                                                                        */
   int32_t warm_start;   /* 1: steps after the first start from the one before                                  */
   const rc_grid *grid;  /* without gap, mask, index and approach                                               */
-  const char *backend;  /* whose products are to certify: a solver takes contacts for those it can stand for   */
   const double *targets;         /* [length] or [force]; step k of contact i at i*target_stride + k            */
   int64_t target_stride;
   const double *undeformed_gap;  /* [length]; point m of contact i at i*undeformed_gap_stride + m; any values  */
@@ -358,34 +403,42 @@ struct rc_many {
   const uint8_t *mask;           /* NULL: every point                                                          */
   int64_t mask_stride;
   const double *p0;     /* [n*nx*ny] to start from [force/length^2]; NULL: none                                */
-  double *p;            /* out [n*steps*nx*ny] of every step that is solved. Since ABI minor 14                */
-  double length_per_pressure; /* [length^3/force] H is this times coefficients()                               */
-  double hardness;      /* [force/length^2]; INFINITY where all is elastic                                     */
-  double least_deflection; /* [length^3/force] of a cell under unit pressure, for the scale of residuals       */
+  double hardness;      /* [force/length^2]; INFINITY if all is elastic                                        */
   double tol;           /* of the certificate                                                                  */
   int64_t max_iterations;  /* of a step                                                                        */
-  rc_many_answer *answers; /* out [n*steps]                                                                    */
-  int64_t done;         /* out: contacts 0 .. done-1 have answers, at least one; the others are asked for again */
+
+  /* H */
+  const char *backend;  /* whose products are to certify: a solver takes contacts for those it can stand for   */
+  double length_per_pressure; /* [length^3/force] H is this times coefficients()                               */
+  double least_deflection; /* [length^3/force] of a cell under unit pressure, for the scale of residuals       */
   /** As rc_problem.coefficients. */
   rc_status (*coefficients)(const rc_many *, int64_t mx, int64_t my, double *out);
+
+  /* Out */
+  double *p;            /* [n*steps*nx*ny] of every step that is solved                                        */
+  rc_many_answer *answers; /* [n*steps]                                                                        */
+  int64_t done;         /* contacts 0 .. done-1 have answers, at least one; the others are asked for again     */
 };
 
-/* What a solver needs. RC_CAP_SUBSET and RC_CAP_SHIFTED: the core's fallbacks serve where the backend has none. */
+/* What a solver needs, and what it can do (rc_solver.needs). RC_CAP_SUBSET and RC_CAP_SHIFTED are needs, too; if the backend has
+ * no such function, the core's fallbacks serve. */
 #define RC_NEEDS_GRID (UINT64_C(1) << 32) /* a half-space grid, not the caller's matrix or product              */
 #define RC_WANTS_BOX (UINT64_C(1) << 33)  /* every point of a box as an unknown is handier than most of them    */
-#define RC_READS_GAP (UINT64_C(1) << 34)  /* rc_problem.u may be NULL where there is a grid: the solver works with
+#define RC_READS_GAP (UINT64_C(1) << 34)  /* rc_problem.u may be NULL if there is a grid: the solver works with
                                              u = (grid->approach - grid->undeformed_gap) / length              */
-#define RC_TAKES_CAP (UINT64_C(1) << 35) /* keeps p <= cap; without it the core refuses a step with a hardness */
-#define RC_TAKES_ROWS (UINT64_C(1) << 37) /* reads rc_problem.rows                                                */
-#define RC_READS_SINGLE_GAP (UINT64_C(1) << 36) /* reads rc_grid.undeformed_gap_single, too; others get a copy in doubles */
+#define RC_READS_SINGLE_GAP (UINT64_C(1) << 35) /* reads rc_grid.undeformed_gap of type RC_SINGLE as well        */
+#define RC_TAKES_CAP (UINT64_C(1) << 36)  /* keeps p <= cap; without it the core refuses a step with a hardness */
+#define RC_TAKES_ROWS (UINT64_C(1) << 37) /* built-in solvers only: reads rc_problem.rows                       */
 
 /** A solver. It never knows which backend multiplies. */
 typedef struct rc_solver {
   size_t struct_size;
+
+  /* Required */
   const char *name;
   const char *summary;
   const char *license;
-  uint64_t needs;    /* RC_CAP_SUBSET, RC_CAP_SHIFTED, RC_NEEDS_GRID, RC_WANTS_BOX, RC_READS_GAP or 0                    */
+  uint64_t needs;    /* RC_CAP_SUBSET, RC_CAP_SHIFTED, RC_NEEDS_GRID, RC_WANTS_BOX, RC_READS_*, RC_TAKES_* or 0 */
   uint32_t controls; /* bit RC_CONTROL_*: the controls it handles itself. Load control is added to a
                         approach solver by the core's iteration on the approach                            */
   uint32_t reserved;
@@ -394,14 +447,17 @@ typedef struct rc_solver {
   /** p: start in, solution out; *d: approach (LOAD: start in, answer out). RC_OK only if the solver believes
    *  that tol is met; the core checks. p must be usable at every return >= 0. */
   rc_status (*solve)(const rc_host *, const rc_problem *, const rc_options *, double *p, double *d);
-  /** As that of a backend, for one that facts->backend and facts->caps describe. Since plugin ABI minor 5. */
+
+  /* Choice, optional */
+  /** As that of a backend, for one that facts->backend and facts->caps describe. */
   rc_status (*score)(const rc_facts *, rc_estimate *);
-  /** NULL where contacts are solved one at a time. Solves and certifies many at once, by products of its own; its answer for one
-   *  contact does not depend on the others. The core checks the answers: all against their pressures, and by products of its own
-   *  the residuals of one contact in 64, chosen at random afterwards, and of each that reports a residual above tol/2. If one is
-   *  not as reported, the core drops the whole call and solves its contacts one at a time, as it does with those that are not
-   *  solved, or with all after a status other than RC_OK. Several threads may call it at the same time. Since plugin ABI minor
-   *  11. */
+
+  /* Many contacts at once, optional */
+  /** Solves and certifies many at once, by products of its own; its answer for one contact does not depend on the others. The core
+   *  checks the answers: all against their pressures, and by products of its own the residuals of one contact in 64, chosen at
+   *  random afterwards, and of each that reports a residual above tol/2. If one is not as reported, the core drops the whole call
+   *  and solves its contacts one at a time, as it does with those that are not solved, or with all after a status other than
+   *  RC_OK. Several threads may call it at the same time. */
   rc_status (*solve_many)(const rc_host *, rc_many *, const rc_options *);
 } rc_solver;
 
@@ -433,10 +489,12 @@ typedef struct rc_kernel_bounds {
 } rc_kernel_bounds;
 
 /** A kernel: what unit pressure on a cell deflects, times the modulus. Functions are called from several threads at the same
- *  time; what they return depends on the spec alone. The library checks what it is told: RC_ERR_NUMERIC where H cannot be positive
- *  definite or a promise is seen to be broken. Since plugin ABI minor 6. */
+ *  time; what they return depends on the spec only. The library checks the values: RC_ERR_NUMERIC if H cannot be positive
+ *  definite or a promise is seen to be broken. */
 struct rc_kernel {
   size_t struct_size;
+
+  /* Required, and one of window and symbol at least */
   const char *name;
   const char *summary;
   const char *license;
@@ -450,7 +508,9 @@ struct rc_kernel {
   /** RC_KERNEL_PERIODIC, else NULL: eigenvalues of H at wave numbers kx = 0..nx/2, ky = 0..ny/2 into out[ky*(nx/2+1) + kx]
    *  [length]; those at nx-kx and ny-ky are equal. The mean's, out[0], is not looked at: it counts as 0. */
   rc_status (*symbol)(const rc_host *, const rc_kernel_spec *, double *out);
-  /** NULL where nothing is promised. The lowest eigenvalue of a symbol is looked up, and compared with a promise. */
+
+  /* Optional */
+  /** NULL: nothing is promised. The lowest eigenvalue of a symbol is looked up, and compared with a promise. */
   rc_status (*bounds)(const rc_host *, const rc_kernel_spec *, rc_kernel_bounds *);
   void *user; /* not looked at                                                                                           */
 };
@@ -460,10 +520,9 @@ typedef struct rc_plugin {
   uint32_t abi_major, abi_minor; /* RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR                                   */
   const char *name;              /* as in the file name                                                        */
   const char *version;
-  int64_t n_backends, n_solvers;
+  int64_t n_backends, n_solvers, n_kernels;
   const rc_backend *const *backends;
   const rc_solver *const *solvers;
-  int64_t n_kernels;             /* since plugin ABI minor 6, as the list                                      */
   const rc_kernel *const *kernels;
 } rc_plugin;
 

@@ -1,4 +1,4 @@
-/* roughcontact plugin helpers for C++17: failures as exceptions inside a component, statuses and messages outside of it.
+/* roughcontact plugin helpers for C++20: failures as exceptions inside a component, statuses and messages outside of it.
  *
  * Header only, and only over <roughcontact/plugin.h>: a plugin that includes it still links nothing of the library. Nothing
  * here is part of the binary interface.
@@ -12,16 +12,22 @@
  *     void apply(const double* x, double* y);
  *     void field(const double* x, double* y);
  *     std::int64_t modelled() const;
- *     // with RC_CAP_SUBSET, RC_CAP_SHIFTED, RC_CAP_NORM:
+ *     // optional, as in rc_backend:
+ *     static void score(const rc_facts&, rc_estimate&);
+ *     void apply_float(const float* x, float* y);
+ *     void screen(const double* x, rc_screen&);
  *     void subset(std::int64_t na, const std::int64_t* a, const double* b, double* x);
  *     void shifted(double rho, const double* b, double* x);
  *     double norm();
- *     // for rc_backend.score, and rc_backend.rest:
- *     static void score(const rc_facts&, rc_estimate&);
+ *     void forget();
  *     void rest();
+ *     static void fetch(const rc_host*, const rc_options*, void* to_host, const void* from_device, std::int64_t bytes);
+ *     static void store(const rc_host*, const rc_options*, void* to_device, const void* from_host, std::int64_t bytes);
  *   };
  *
- * and the functions of its rc_backend are those of roughcontact::Functions<MyOperator>.
+ *   constexpr rc_backend my = roughcontact::backend<MyOperator>("a summary", "BSD-3-Clause", RC_CAP_FREE, options);
+ *   constexpr const rc_backend* backends[] = {&my};
+ *   constexpr rc_plugin plugin = roughcontact::plugin("my", "1.0", backends);
  */
 #ifndef ROUGHCONTACT_PLUGIN_HPP
 #define ROUGHCONTACT_PLUGIN_HPP
@@ -33,6 +39,7 @@
 #include <locale>
 #include <memory>
 #include <new>
+#include <span>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -107,10 +114,9 @@ template <class Object, class Make> struct SharedRequest {
 };
 
 // rc_host.share: the object under this key, made by make(), a function that returns a std::unique_ptr, where no contact of the
-// context with the same system holds one. A host that is older makes one for each caller.
+// context with the same system holds one.
 template <class T, class Make>
 std::shared_ptr<T> shared(const rc_host* host, const Component& component, const std::string& key, const Make& make) {
-  if (host->struct_size < offsetof(rc_host, release) + sizeof host->release || !host->share) return make();
   using Object = std::remove_const_t<T>;
   SharedRequest<Object, Make> request{host, component, make};
   void* object = nullptr;
@@ -122,8 +128,6 @@ std::shared_ptr<T> shared(const rc_host* host, const Component& component, const
 template <class T, class Make>
 std::shared_ptr<T> kept(const rc_host* host, const Component& component, bool of_system, const std::string& key,
                         const Make& make) {
-  if (host->struct_size < offsetof(rc_host, keep) + sizeof host->keep || !host->keep)
-    return shared<T>(host, component, key, make);
   using Object = std::remove_const_t<T>;
   SharedRequest<Object, Make> request{host, component, make};
   void* object = nullptr;
@@ -173,7 +177,7 @@ template <class Task> void for_each(const rc_team& team, std::int64_t items, boo
   team.share(&team, items, call, const_cast<Task*>(&task));
 }
 
-// The functions of an rc_backend over a C++ class; those that are not named are not instantiated.
+// The functions of an rc_backend over a C++ class; those that backend() does not take are not instantiated.
 template <class Operator> struct Functions {
   static rc_status create(const rc_host* host, const rc_operator_spec* spec, void** self) noexcept {
     return guard(host, Operator::component, [&] { *self = new Operator(host, *spec); });
@@ -210,6 +214,14 @@ template <class Operator> struct Functions {
   static void rest(void* self) noexcept {
     with(self, [&](Operator& op) { op.rest(); });
   }
+  static rc_status fetch(const rc_host* host, const rc_options* options, void* to_host, const void* from_device,
+                         std::int64_t bytes) noexcept {
+    return guard(host, Operator::component, [&] { Operator::fetch(host, options, to_host, from_device, bytes); });
+  }
+  static rc_status store(const rc_host* host, const rc_options* options, void* to_device, const void* from_host,
+                         std::int64_t bytes) noexcept {
+    return guard(host, Operator::component, [&] { Operator::store(host, options, to_device, from_host, bytes); });
+  }
   static rc_status score(const rc_facts* facts, rc_estimate* estimate) noexcept {
     return guard(facts->host, Operator::component, [&] { Operator::score(*facts, *estimate); });
   }
@@ -220,6 +232,59 @@ template <class Operator> struct Functions {
     return guard(op.host(), Operator::component, [&] { action(op); });
   }
 };
+
+// The table of a class with the functions that the class has, and their bits. caps: RC_CAP_* of systems and products; options: keys
+// "<name>.<key>".
+template <class Operator>
+consteval rc_backend backend(const char* summary, const char* license, std::uint64_t caps,
+                             std::span<const rc_option_spec* const> options = {}) {
+  using F = Functions<Operator>;
+  if (caps & (RC_CAP_FLOAT | RC_CAP_SCREEN | RC_CAP_SUBSET | RC_CAP_SHIFTED | RC_CAP_NORM))
+    throw "bits of functions follow from the class";
+  rc_backend made{};
+  made.struct_size = sizeof made;
+  made.name = Operator::component.name;
+  made.summary = summary;
+  made.license = license;
+  made.caps = caps;
+  made.n_options = static_cast<std::int64_t>(options.size());
+  made.options = options.data();
+  made.create = F::create;
+  made.destroy = F::destroy;
+  made.bind = F::bind;
+  made.apply = F::apply;
+  made.field = F::field;
+  made.modelled = F::modelled;
+  if constexpr (requires { &Operator::score; }) made.score = F::score;
+  if constexpr (requires { &Operator::forget; }) made.forget = F::forget;
+  if constexpr (requires { &Operator::rest; }) made.rest = F::rest;
+  if constexpr (requires { &Operator::fetch; }) made.fetch = F::fetch;
+  if constexpr (requires { &Operator::store; }) made.store = F::store;
+  const auto add = [&](auto& member, auto function, std::uint64_t bit) {
+    member = function;
+    made.caps |= bit;
+  };
+  if constexpr (requires { &Operator::apply_float; }) add(made.apply_float, F::apply_float, RC_CAP_FLOAT);
+  if constexpr (requires { &Operator::screen; }) add(made.screen, F::screen, RC_CAP_SCREEN);
+  if constexpr (requires { &Operator::subset; }) add(made.subset, F::subset, RC_CAP_SUBSET);
+  if constexpr (requires { &Operator::shifted; }) add(made.shifted, F::shifted, RC_CAP_SHIFTED);
+  if constexpr (requires { &Operator::norm; }) add(made.norm, F::norm, RC_CAP_NORM);
+  return made;
+}
+
+// The table of a plugin with these backends.
+template <std::size_t n>
+constexpr rc_plugin plugin(const char* name, const char* version, const rc_backend* const (&backends)[n]) {
+  rc_plugin made{};
+  made.struct_size = sizeof made;
+  made.abi_major = RC_PLUGIN_ABI_MAJOR;
+  made.abi_minor = RC_PLUGIN_ABI_MINOR;
+  made.name = name;
+  made.version = version;
+  made.n_backends = n;
+  made.backends = backends;
+  return made;
+}
 
 }  // namespace roughcontact
 #endif

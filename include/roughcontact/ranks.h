@@ -27,8 +27,7 @@ typedef struct rc_exchange {
   const char *(*shift)(void *user, int64_t to, const void *from, int64_t sent, int64_t source, void *into, int64_t received);
   const char *refused; /* not NULL: why there is no exchange; rc_ranks_contact_create then fails with this message   */
 } rc_exchange;
-#define RC_EXCHANGE_INIT \
-  { sizeof(rc_exchange), 0, 1, NULL, NULL, NULL, NULL, NULL }
+#define RC_EXCHANGE_INIT RC_BEGIN_WITH(rc_exchange, ranks = 1)
 
 /** A contact of which this process has some rows. One thread at a time. */
 typedef struct rc_ranks_contact rc_ranks_contact;
@@ -47,8 +46,7 @@ typedef struct rc_ranks_counts {
   int64_t shifted;        /* bytes sent in them                                                                     */
   int64_t iterations;     /* steps of the distributed iteration                                                     */
 } rc_ranks_counts;
-#define RC_RANKS_COUNTS_INIT \
-  { sizeof(rc_ranks_counts), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
+#define RC_RANKS_COUNTS_INIT RC_BEGIN(rc_ranks_counts)
 
 /** Which rows of the system's grid a rank has: rows first .. first + count - 1 of ny, in the order of ranks. Rows are
  *  handed out in pieces of 2^k, k = min(5, log2(ny) / 2) rounded down, so a rank may have none. Errors: ARGUMENT. */

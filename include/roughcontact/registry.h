@@ -24,8 +24,7 @@ typedef struct rc_context_config {
   rc_log_fn log;           /* NULL: silent; the threads of a batch call it, too, and at the same time                */
   void *log_user;
 } rc_context_config;
-#define RC_CONTEXT_CONFIG_INIT \
-  { sizeof(rc_context_config), 0, 0, NULL, NULL, NULL }
+#define RC_CONTEXT_CONFIG_INIT RC_BEGIN(rc_context_config)
 
 /** Described by rc_backend_describe, rc_solver_describe, rc_kernel_describe. Strings live as long as the context. */
 typedef struct rc_component {
@@ -35,8 +34,7 @@ typedef struct rc_component {
   const char *license;     /* of the component with what it links (SPDX); "" for the library's kernels               */
   const char *origin;      /* "built-in" or the file it was loaded from                                              */
 } rc_component;
-#define RC_COMPONENT_INIT \
-  { sizeof(rc_component), NULL, NULL, NULL, NULL }
+#define RC_COMPONENT_INIT RC_BEGIN(rc_component)
 
 enum { RC_TYPE_INT = 1, RC_TYPE_REAL = 2, RC_TYPE_TEXT = 3 };
 /** Schema of one option. Strings live as long as the context. */
@@ -50,8 +48,7 @@ typedef struct rc_option_spec {
   int32_t fixed;           /* 1: cannot change after rc_contact_create                                               */
   double minimum, maximum; /* INT and REAL, inclusive                                                                */
 } rc_option_spec;
-#define RC_OPTION_SPEC_INIT \
-  { sizeof(rc_option_spec), NULL, NULL, NULL, NULL, 0, 0, 0.0, 0.0 }
+#define RC_OPTION_SPEC_INIT RC_BEGIN(rc_option_spec)
 
 /** @defgroup context Context: the registry  @{ */
 /** A registry of its own. config may be NULL. Errors: ARGUMENT, MEMORY. The result is destroyed by the caller. */

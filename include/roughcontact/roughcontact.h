@@ -64,6 +64,27 @@
 #define RC_PLUGIN_API RC_API
 #endif
 
+/* The values of the RC_..._INIT macros: struct_size, up to two others, zeros. */
+#ifdef __cplusplus
+#define RC_BEGIN_WITH_TWO(Struct, first, second) \
+  [] {                                           \
+    Struct rc_begun{};                           \
+    rc_begun.struct_size = sizeof(Struct);       \
+    rc_begun.first;                              \
+    rc_begun.second;                             \
+    return rc_begun;                             \
+  }()
+#define RC_BEGIN_WITH(Struct, value) RC_BEGIN_WITH_TWO(Struct, struct_size = sizeof(Struct), value)
+#define RC_BEGIN(Struct) RC_BEGIN_WITH(Struct, struct_size = sizeof(Struct))
+#else
+#define RC_BEGIN(Struct) \
+  { .struct_size = sizeof(Struct) }
+#define RC_BEGIN_WITH(Struct, value) \
+  { .struct_size = sizeof(Struct), .value }
+#define RC_BEGIN_WITH_TWO(Struct, first, second) \
+  { .struct_size = sizeof(Struct), .first, .second }
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -115,6 +136,26 @@ typedef struct rc_context rc_context; /* registry of solvers, backends and kerne
 typedef struct rc_options rc_options; /* checked key/value set. One thread at a time.                                */
 typedef struct rc_contact rc_contact; /* operator, plans, factors and last pressures. One thread at a time.          */
 
+/** @defgroup array Arrays of the caller, in either precision and in the memory of the host or of a device  @{ */
+enum { RC_NATIVE = 0, RC_SINGLE = 1 };
+/** n values, n = nx*ny, that the library writes. data NULL: no array. */
+typedef struct rc_array {
+  void *data;
+  int32_t type;        /* RC_NATIVE: the type that the member's description names, double unless said otherwise;
+                          RC_SINGLE: float, in place of double                                                       */
+  int32_t reserved;    /* 0                                                                                          */
+  const char *memory;  /* where data lies. NULL: in the host's memory. "cuda" or another backend with a device: in that
+                          device's memory                                                                            */
+} rc_array;
+/** n values that the library reads. */
+typedef struct rc_const_array {
+  const void *data;
+  int32_t type;
+  int32_t reserved;
+  const char *memory;
+} rc_const_array;
+/** @} */
+
 /** @defgroup problem Problem: system and step  @{ */
 enum { RC_OPERATOR_HALFSPACE = 1, RC_OPERATOR_DENSE = 2, RC_OPERATOR_CALLBACK = 3 };
 enum { RC_BOUNDARY_FREE = 1, RC_BOUNDARY_PERIODIC = 2 };
@@ -137,32 +178,34 @@ typedef struct rc_system {
   void *user;          /* handed to apply                                                                            */
   double hardness;     /* the largest pressure c [force/length^2], for every op; 0 or infinite: all is elastic       */
 } rc_system;
-#define RC_SYSTEM_INIT \
-  { sizeof(rc_system), RC_OPERATOR_HALFSPACE, 0, 0, 0, 0.0, 0.0, 0.0, NULL, 0, NULL, NULL, 0.0 }
+#define RC_SYSTEM_INIT RC_BEGIN_WITH(rc_system, op = RC_OPERATOR_HALFSPACE)
 
 /** What changes from step to step. Nothing in it is kept after the call except a copy of the undeformed gap and mask, or with
  *  borrow the two pointers. */
 typedef struct rc_step {
   size_t struct_size;  /* sizeof(rc_step)                                                                            */
+
+  /* What the step prescribes, and where it starts */
   int32_t control;     /* RC_CONTROL_*                                                                               */
   int32_t warm_start;  /* 1: start from this contact's last pressures (default); 0: start cold (factors that a
                           backend keeps still serve: equal to round-off, after rc_contact_reset bitwise)             */
-  double target;       /* APPROACH: approach d [length]; LOAD: normal force W [force], >= 0                      */
+  double target;       /* APPROACH: approach d [length]; LOAD: normal force W [force], >= 0                          */
+
+  /* Arrays of the caller */
   const double *undeformed_gap; /* [n] h [length], see rc_gap_from_heights; NULL: as in the previous step            */
-  const double *p0;    /* [n] explicit start [force/length^2], negative values are taken as 0; NULL: none            */
-  const uint8_t *mask; /* [n] 0: this point carries no pressure and its undeformed gap is ignored (it may be NaN);
-                          NULL with undeformed_gap given: all points; NULL without: as in the previous step          */
-  int32_t borrow;      /* 1: undeformed_gap and mask are not copied; they stay as they are until a step that brings
-                          other arrays has returned, or the contact is reset or destroyed. 0: copied (default)       */
-  int32_t reserved;    /* 0                                                                                          */
   const float *undeformed_gap_single; /* [n] in place of undeformed_gap: 4 bytes a point, copied or borrowed likewise. With
                           borrow it may be a file that is mapped into memory. NULL: none                             */
+  const uint8_t *mask; /* [n] 0: this point carries no pressure and its undeformed gap is ignored (it may be NaN);
+                          NULL with undeformed_gap given: all points; NULL without: as in the previous step          */
+  const double *p0;    /* [n] explicit start [force/length^2], negative values are taken as 0; NULL: none            */
   const char *memory;  /* where all arrays above lie. NULL: in the host's memory. "cuda" or another backend with a device:
                           in that device's memory, from where they are copied to the host once what the device was told
                           to do before is done; with borrow, solvers of that device read the gap where it is         */
+  int32_t borrow;      /* 1: undeformed_gap and mask are not copied; they stay as they are until a step that brings
+                          other arrays has returned, or the contact is reset or destroyed. 0: copied (default)       */
+  int32_t reserved;    /* 0                                                                                          */
 } rc_step;
-#define RC_STEP_INIT \
-  { sizeof(rc_step), 0, 1, 0.0, NULL, NULL, NULL, 0, 0, NULL, NULL }
+#define RC_STEP_INIT RC_BEGIN_WITH(rc_step, warm_start = 1)
 
 /** The undeformed gap of n heights, of which the highest touches first: highest - height [length]. The highest is that of the
  *  points where the mask is not 0 (NULL: all) and the height is not NaN; NaN stays NaN, which only a masked point may have in
@@ -175,25 +218,31 @@ RC_API rc_status rc_gap_from_heights(int64_t n, const double *heights, const uin
  *  is >= 0, and leaves these four arrays untouched when it is < 0. */
 typedef struct rc_result {
   size_t struct_size;  /* sizeof(rc_result)                                                                          */
+
+  /* Arrays of the caller */
   double *p;           /* [n] pressures [force/length^2]; NULL: not wanted                                           */
   double *gap;         /* [n] deformed gap g = H p + h - d [length]; NULL: not wanted                                */
+  float *p_single, *gap_single; /* [n] as p and gap, rounded to 4 bytes a point; all else is that of the values before. NULL: not
+                          wanted                                                                                     */
+  const char *memory;  /* where p, gap, p_single and gap_single lie, as in rc_step.memory; they are written where the
+                          status is >= 0                                                                             */
+
+  /* The answer */
   rc_status status;    /* as returned; failed until an answer is written                                             */
   int32_t reserved;    /* 0                                                                                          */
-  int64_t iterations;  /* of the solver, all rounds together                                                         */
-  int64_t products;     /* products with H, the certificate's and the stiffness' included                            */
-  int64_t points;      /* n, as given                                                                                */
-  int64_t candidates;  /* points that can carry pressure at this approach (h < d; all points where H has
-                          negative entries: periodic boundaries, some caller's matrices, callbacks)                  */
-  int64_t modelled;    /* unknowns or transform points of the operator used: the bounding box of the
-                          candidates for matrix-free backends, the candidates themselves for dense ones              */
-  int64_t contacts;    /* points with p > 0                                                                          */
   double load;         /* hx hy sum(p) [force]                                                                       */
   double approach;     /* d [length]                                                                                 */
   double mean_pressure; /* load / (n hx hy) [force/length^2]                                                         */
+  double max_pressure; /* the largest p [force/length^2]; 0 without contact                                          */
   double contact_area; /* contacts hx hy [length^2]                                                                  */
+  double area_fraction; /* contacts / points                                                                         */
+  double mean_gap;     /* mean of g over the points that are not masked [length]; the overlap of points at the hardness
+                          counts as 0. NaN where the certificate needs g at some points only, as it does in sparse
+                          contact, unless gap or gap_single is wanted                                                */
   double energy;       /* (1/2 p'Hp - (d - h)'p) hx hy [force length], the functional that is minimised              */
-  double stiffness;    /* dW/dd of the contact set [force/length], to tol of its value or closer; infinite in full
-                          periodic contact; NaN where option stiffness is 0                                          */
+  int64_t contacts;    /* points with p > 0                                                                          */
+
+  /* Residuals, all from a product of the library's own */
   double kkt_primal;   /* max(0, -min p) / max|p|; hardness c: at least max(0, max p - c) / c                        */
   double kkt_dual;     /* max(0, -min g) / s over all points, s = max(d - h). Periodic: under load control s is at
                           least a quarter of the mean pressure times sqrt(hx hy) / E*; under approach control
@@ -201,13 +250,9 @@ typedef struct rc_result {
                           with g < 0 of min((c - p) / c, -g / s)                                                     */
   double kkt_complementarity; /* max over all points of min(p / max p, |g| / s); hardness: where g < 0 (c - p) / c counts, too */
   double kkt_control;  /* |load - W| / W, 0 in approach control                                                  */
-  double seconds;      /* solving and certifying                                                                     */
-  double setup_seconds; /* influence coefficients, plans and factors built in this call                              */
-  char solver[32];     /* what "auto" resolved to                                                                    */
-  char backend[32];
-  char kernel[32];
-  char note[160];      /* what may be a blunder in units or heights, an unbounded interval, operations the core
-                          had to substitute and remarks of the solver, whole remarks only; "" if none                */
+  double tolerance;    /* the kkt_* residuals were held to: tol, or accuracy/100 (area: /1000) if larger             */
+
+  /* What is proven */
   double duality_gap;  /* energy - least energy is at most this [force length], see docs/certificate.md;
                           this and the bounds below: NaN (counts: -1) where no proof is known, option bounds is
                           0 or accuracy is set. Full periodic contact: NaN, and intervals that exclude nothing       */
@@ -216,30 +261,41 @@ typedef struct rc_result {
   int64_t proven_contacts; /* points proven to be in contact                                                         */
   int64_t proven_open; /* points proven to be out of contact                                                         */
   int64_t undecided;   /* the other points                                                                           */
-  int64_t levels;      /* coarse solutions kept, see rc_contact_level                                                */
-  double tolerance;    /* the kkt_* residuals were held to: tol, or accuracy/100 (area: /1000) if larger             */
+
+  /* Stiffness */
+  double stiffness;    /* dW/dd of the contact set [force/length], to tol of its value or closer; infinite in full
+                          periodic contact; NaN where option stiffness is 0                                          */
   double stiffness_lower, stiffness_upper; /* the exact dW/dd at this approach lies between these [force/length]; NaN
                           unless option stiffness is 2, and where no proof is known                                  */
-  int64_t capped;      /* points with p = hardness; this and the next: 0 without a hardness                          */
-  double plastic_volume; /* hx hy times the overlap of these points in this step [length^3]                          */
-  int64_t proven_capped; /* points proven to carry the hardness; counted in proven_contacts, too                     */
-  float *p_single, *gap_single; /* [n] as p and gap, rounded to 4 bytes a point; all else is that of the values before. NULL: not
-                          wanted                                                                                     */
-  const char *memory;  /* where p, gap, p_single and gap_single lie, as in rc_step.memory; they are written where the
-                          status is >= 0                                                                             */
-  double area_fraction; /* contacts / points                                                                         */
-  double max_pressure; /* the largest p [force/length^2]; 0 without contact                                          */
-  double mean_gap;     /* mean of g over the points that are not masked [length]; the overlap of points at the hardness
-                          counts as 0. NaN where the certificate needs g at some points only, as it does in sparse
-                          contact, unless gap or gap_single is wanted                                                */
   double punch_stiffness; /* dW/dd of a rigid flat punch as large as the grid, to 0.2 % [force/length]: what free edges
                           bring into stiffness, as 1/stiffness = 1/punch_stiffness + 1/(that of a periodic surface),
                           roughly. NaN with periodic boundaries, without a half-space, and where option stiffness is 0 */
+
+  /* With a hardness */
+  int64_t capped;      /* points with p = hardness; this and the next: 0 without a hardness                          */
+  double plastic_volume; /* hx hy times the overlap of these points in this step [length^3]                          */
+  int64_t proven_capped; /* points proven to carry the hardness; counted in proven_contacts, too                     */
+
+  /* Work */
+  int64_t points;      /* n, as given                                                                                */
+  int64_t candidates;  /* points that can carry pressure at this approach (h < d; all points where H has
+                          negative entries: periodic boundaries, some caller's matrices, callbacks)                  */
+  int64_t modelled;    /* unknowns or transform points of the operator used: the bounding box of the
+                          candidates for matrix-free backends, the candidates themselves for dense ones              */
+  int64_t iterations;  /* of the solver, all rounds together                                                         */
+  int64_t products;    /* products with H, the certificate's and the stiffness' included                            */
+  int64_t levels;      /* coarse solutions kept, see rc_contact_level                                                */
+  double seconds;      /* solving and certifying                                                                     */
+  double setup_seconds; /* influence coefficients, plans and factors built in this call                              */
+
+  /* Names */
+  char solver[32];     /* what "auto" resolved to                                                                    */
+  char backend[32];
+  char kernel[32];
+  char note[160];      /* what may be a blunder in units or heights, an unbounded interval, operations the core
+                          had to substitute and remarks of the solver, whole remarks only; "" if none                */
 } rc_result;
-#define RC_RESULT_INIT                                                                                                         \
-  { sizeof(rc_result), NULL, NULL, RC_ERR_ARGUMENT, 0, 0, 0, 0, 0, 0, 0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, \
-    0.0, 0.0, "", "", "", "", 0.0, 0.0, 0.0, 0.0, 0.0, 0, 0, 0, 0, 0.0, 0.0, 0.0, 0, 0.0, 0, NULL, NULL, NULL, 0.0, 0.0, 0.0, \
-    0.0 }
+#define RC_RESULT_INIT RC_BEGIN_WITH(rc_result, status = RC_ERR_ARGUMENT)
 
 /** Which grid an answer is of, and how far off the library estimates it to be. With RC_WITHIN_GOAL it is that of a coarser
  *  grid, whose cells are the means over blocks of 2^k by 2^k points. Then p is its answer after a few steps of a solve of the
@@ -258,8 +314,7 @@ typedef struct rc_accuracy {
   double left_out;       /* rms of the undeformed gap less its block's mean, over the points in contact [length]; 0 on the
                             whole grid                                                                               */
 } rc_accuracy;
-#define RC_ACCURACY_INIT \
-  { sizeof(rc_accuracy), 0, 0, 0.0, 0.0, 0.0 }
+#define RC_ACCURACY_INIT RC_BEGIN(rc_accuracy)
 /** @} */
 
 /** @defgroup options Options: keys with a declared schema, checked when set
@@ -304,7 +359,7 @@ RC_API rc_status rc_options_get_text(const rc_options *options, const char *key,
 typedef struct rc_progress {
   size_t struct_size;
   int64_t iteration;   /* of the solver                                                                              */
-  int64_t products;     /* products with H so far                                                                    */
+  int64_t products;    /* products with H so far                                                                    */
   double kkt;          /* the solver's own estimate of its worst residual; NaN before the first                      */
   double seconds;      /* since the step began                                                                       */
 } rc_progress;

@@ -134,8 +134,7 @@ typedef struct rc_surface_statistics {
                                   height, slope and second derivative                                        */
   double nayak;                /* Nayak's bandwidth parameter m0 m4 / m2^2                                   */
 } rc_surface_statistics;
-#define RC_SURFACE_STATISTICS_INIT \
-  { sizeof(rc_surface_statistics), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }
+#define RC_SURFACE_STATISTICS_INIT RC_BEGIN(rc_surface_statistics)
 
 /** Errors: ARGUMENT (heights that are not finite: how many and where the first is), SHAPE, MEMORY. */
 RC_API rc_status rc_surface_analyze(const rc_surface_map *map, rc_surface_statistics *out);
@@ -164,8 +163,7 @@ typedef struct rc_surface_power_law {
   double peak_qx[RC_SURFACE_PEAKS], peak_qy[RC_SURFACE_PEAKS]; /* wave vectors [1/length]                     */
   double peak_share[RC_SURFACE_PEAKS];                         /* of the variance                            */
 } rc_surface_power_law;
-#define RC_SURFACE_POWER_LAW_INIT \
-  { sizeof(rc_surface_power_law), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0, { 0.0 }, { 0.0 }, { 0.0 } }
+#define RC_SURFACE_POWER_LAW_INIT RC_BEGIN(rc_surface_power_law)
 
 /** Errors: as rc_surface_analyze; ARGUMENT for a flat map. */
 RC_API rc_status rc_surface_fit(const rc_surface_map *map, rc_surface_power_law *out);

@@ -27,9 +27,10 @@ template <class Body> rc_status exclusively(const char* where, rc_contact* conta
 template <class Body> rc_status with_step(Contact& contact, const rc_step* step, rc_result* result, const Body& body) {
   const rc_step today = read_step(step);
   rc_result answer = read<rc_result>(result, "rc_result", RC_RESULT_INIT);
-  const rc_status status = body(contact, today, answer);
+  const Numbers numbers = body(contact, today, outputs_of(answer));
+  write(numbers, contact.problem().system, answer);
   write(result, answer);
-  return status;
+  return numbers.status;
 }
 
 }  // namespace
@@ -65,13 +66,15 @@ rc_status rc_contact_on_progress(rc_contact* contact, rc_progress_fn fn, void* u
 
 rc_status rc_contact_solve(rc_contact* contact, const rc_step* step, rc_result* result) {
   return exclusively("rc_contact_solve", contact, [&](Contact& c) {
-    return with_step(c, step, result, [](Contact& each, const rc_step& s, rc_result& r) { return each.solve(s, r); });
+    return with_step(c, step, result,
+                     [](Contact& each, const rc_step& s, const Outputs& outputs) { return each.solve(s, outputs); });
   });
 }
 
 rc_status rc_contact_certify(rc_contact* contact, const rc_step* step, rc_result* result) {
   return exclusively("rc_contact_certify", contact, [&](Contact& c) {
-    return with_step(c, step, result, [](Contact& each, const rc_step& s, rc_result& r) { return each.certify(s, r); });
+    return with_step(c, step, result,
+                     [](Contact& each, const rc_step& s, const Outputs& outputs) { return each.certify(s, outputs); });
   });
 }
 
@@ -87,7 +90,7 @@ rc_status rc_contact_solve_history(rc_contact* contact, rc_history* path) {
 rc_status rc_contact_level(rc_contact* contact, int64_t i, rc_level* out) {
   return exclusively("rc_contact_level", contact, [&](Contact& c) {
     rc_level level = read<rc_level>(out, "rc_level", RC_LEVEL_INIT);
-    c.work().solver_grids.describe(i, level);
+    c.grid().grids().describe(i, level);
     write(out, level);
     return RC_OK;
   });
@@ -96,7 +99,7 @@ rc_status rc_contact_level(rc_contact* contact, int64_t i, rc_level* out) {
 rc_status rc_contact_accuracy(rc_contact* contact, rc_accuracy* out) {
   const auto told = [&](const Contact& c) {
     check_size(out, "rc_accuracy");
-    const rc_accuracy& found = c.work().record.accuracy;
+    const rc_accuracy& found = c.accuracy();
     if (found.model_nx == 0) fail(RC_ERR_ARGUMENT, "there is no answer yet, or the last step failed");
     write(out, found);
     return RC_OK;
@@ -109,7 +112,7 @@ rc_status rc_contact_points(rc_contact* contact, int64_t room, int64_t* index, d
   return exclusively("rc_contact_points", contact, [&](Contact& c) {
     if (!n) fail(RC_ERR_ARGUMENT, "n is null");
     if (room < 0) fail(RC_ERR_ARGUMENT, "room = ", room, " must be >= 0");
-    *n = c.memory().contact_points(room, index, p);
+    *n = c.grid().memory().contact_points(room, index, p);
     return RC_OK;
   });
 }
@@ -150,7 +153,7 @@ rc_status rc_contact_reset(rc_contact* contact) {
 rc_status rc_contact_indentation(rc_contact* contact, double* indentation) {
   return exclusively("rc_contact_indentation", contact, [&](Contact& c) {
     if (!indentation) fail(RC_ERR_ARGUMENT, "indentation is null");
-    c.write_indentation({indentation, static_cast<std::size_t>(c.work().system.points())});
+    c.write_indentation({indentation, static_cast<std::size_t>(c.problem().system.points())});
     return RC_OK;
   });
 }
@@ -169,9 +172,9 @@ void rc_contact_cancel(rc_contact* contact) {
 rc_status rc_solve(const rc_system* system, const rc_step* step, const rc_options* options, rc_result* result) {
   return guard("rc_solve", [&] {
     Contact contact(read<rc_system>(system, "rc_system", RC_SYSTEM_INIT), options_or_defaults(options));
-    return with_step(contact, step, result, [](Contact& each, rc_step s, rc_result& r) {
+    return with_step(contact, step, result, [](Contact& each, rc_step s, const Outputs& outputs) {
       s.borrow = 1;  // the arrays outlive the contact
-      return each.solve(s, r);
+      return each.solve(s, outputs);
     });
   });
 }

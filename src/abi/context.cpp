@@ -6,7 +6,7 @@
 #include "abi/guard.h"
 #include "abi/handles.h"
 #include "abi/sized_struct.h"
-#include "contact/step/choice.h"
+#include "contact/choice.h"
 
 namespace {
 

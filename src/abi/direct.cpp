@@ -35,19 +35,19 @@ void check_size_of(const rc_direct* result) {
   if (result) check_size(result, "rc_direct");
 }
 
-void report(const rc_result& answer, rc_direct* result) {
+void report(const Numbers& answer, const System& system, rc_direct* result) {
   if (!result) return;
   rc_direct told{};
   told.status = answer.status;
-  told.iterations = answer.iterations;
-  told.products = answer.products;
-  told.contacts = answer.contacts;
-  told.load = answer.load;
-  told.energy = answer.energy;
-  told.kkt = std::max({answer.kkt_primal, answer.kkt_dual, answer.kkt_complementarity, answer.kkt_control});
-  told.duality_gap = answer.duality_gap;
-  told.load_lower = answer.load_lower;
-  told.load_upper = answer.load_upper;
+  told.iterations = answer.work.iterations;
+  told.products = answer.work.products;
+  told.contacts = answer.totals.contacts;
+  told.load = answer.load(system);
+  told.energy = answer.totals.energy * system.cell_area();
+  told.kkt = answer.certificate.worst();
+  told.duality_gap = answer.bounds.duality_gap;
+  told.load_lower = answer.bounds.load_lower;
+  told.load_upper = answer.bounds.load_upper;
   std::snprintf(told.note, sizeof told.note, "%s", answer.note);
   write(result, told);
 }
@@ -84,12 +84,9 @@ rc_status on_matrix(const char* where, const char* solver, const Matrix& H, cons
     step.control = RC_CONTROL_APPROACH;
     step.undeformed_gap = gap.data();
     step.p0 = p;
-    rc_result answer{};
-    answer.p = p;
-    answer.gap = w;
-    const rc_status status = contact.solve(step, answer);
-    report(answer, result);
-    return status;
+    const Numbers numbers = contact.solve(step, {{p}, {w}});
+    report(numbers, contact.problem().system, result);
+    return numbers.status;
   });
 }
 
@@ -150,11 +147,9 @@ rc_status rc_cmr(int64_t nx, int64_t ny, double hx, double hy, double modulus, c
     step.control = RC_CONTROL_APPROACH;
     step.undeformed_gap = gap.data();
     step.target = approach;
-    rc_result answer{};
-    answer.p = p;
-    const rc_status status = contact.solve(step, answer);
-    report(answer, result);
-    return status;
+    const Numbers numbers = contact.solve(step, {{p}, {}});
+    report(numbers, contact.problem().system, result);
+    return numbers.status;
   });
 }
 

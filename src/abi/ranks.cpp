@@ -54,9 +54,10 @@ rc_status with_step(const char* where, rc_ranks_contact* contact, const rc_step*
         fail(RC_ERR_INCOMPATIBLE, today.memory ? "rc_step" : "rc_result", ".memory = \"",
              today.memory ? today.memory : answer.memory, "\": contacts shared by ranks take arrays in the host's memory alone");
     });
-    const rc_status status = body(c, today, answer);
+    const Numbers numbers = body(c, today, outputs_of(answer));
+    write(numbers, c.system(), answer);
     write(result, answer);
-    return status;
+    return numbers.status;
   });
 }
 
@@ -98,7 +99,7 @@ void rc_ranks_contact_destroy(rc_ranks_contact* contact) { delete contact; }
 
 rc_status rc_ranks_contact_solve(rc_ranks_contact* contact, const rc_step* step, rc_result* result) {
   return with_step("rc_ranks_contact_solve", contact, step, result,
-                   [](SharedContact& c, const rc_step& s, rc_result& r) { return c.solve(s, r); });
+                   [](SharedContact& c, const rc_step& s, const Outputs& outputs) { return c.solve(s, outputs); });
 }
 
 rc_status rc_ranks_contact_solve_history(rc_ranks_contact* contact, rc_history* path) {
@@ -115,7 +116,7 @@ rc_status rc_ranks_contact_solve_history(rc_ranks_contact* contact, rc_history* 
 
 rc_status rc_ranks_contact_certify(rc_ranks_contact* contact, const rc_step* step, rc_result* result) {
   return with_step("rc_ranks_contact_certify", contact, step, result,
-                   [](SharedContact& c, const rc_step& s, rc_result& r) { return c.certify(s, r); });
+                   [](SharedContact& c, const rc_step& s, const Outputs& outputs) { return c.certify(s, outputs); });
 }
 
 rc_status rc_ranks_contact_counts(rc_ranks_contact* contact, rc_ranks_counts* out) {

@@ -17,26 +17,6 @@
 
 namespace rc {
 
-RC_FIRST_SIZE(rc_system, user, 88);
-RC_FIRST_SIZE(rc_step, mask, 48);
-RC_FIRST_SIZE(rc_result, note, 432);
-RC_FIRST_SIZE(rc_accuracy, left_out, 48);
-RC_FIRST_SIZE(rc_level, contacts, 88);
-RC_FIRST_SIZE(rc_state, load_before, 72);
-RC_FIRST_SIZE(rc_history, completed, 120);
-RC_FIRST_SIZE(rc_batch, first, 200);
-RC_FIRST_SIZE(rc_gradient, products, 88);
-RC_FIRST_SIZE(rc_tangent, products, 88);
-RC_FIRST_SIZE(rc_direct, note, 248);
-RC_FIRST_SIZE(rc_area, corrected_area, 40);
-RC_FIRST_SIZE(rc_patches, count, 96);
-RC_FIRST_SIZE(rc_histogram, max_pressure, 80);
-RC_FIRST_SIZE(rc_crossing, gap_y, 24);
-RC_FIRST_SIZE(rc_context_config, log_user, 40);
-RC_FIRST_SIZE(rc_component, origin, 40);
-RC_FIRST_SIZE(rc_exchange, refused, 64);
-RC_FIRST_SIZE(rc_ranks_counts, iterations, 88);
-
 template <class Struct> void check_size(const Struct* from, const char* name) {
   if (!from) fail(RC_ERR_ARGUMENT, name, " is null");
   const std::size_t size = from->struct_size;

@@ -42,12 +42,31 @@ constexpr double load_imbalance(double load, double wanted) {
   return relative_violation(load > wanted ? load - wanted : wanted - load, wanted);
 }
 
-// The scale s [length] of gaps, periodic boundaries; contact/step/target.h says why. deflected: what a cell is deflected by at
-// least under the mean pressure; mean_gap: of the surfaces without pressure.
-constexpr double periodic_scale_by_load(double compression, double deflected) { return larger_of(compression, deflected); }
-constexpr double periodic_scale_by_approach(double compression, double mean_gap, double tol) {
-  return mean_gap == 0 ? compression : smaller_of(compression, mean_gap / (2 * tol));
+// The gap at a point: its height above the lowest gap, less the compression, and what the pressures deflect it by.
+constexpr double deformed_gap(double deflection, double compression, double height) {
+  return deflection - (compression - height);
 }
+
+// How deep a point is indented where the pressure is the hardness.
+constexpr double plastic_depth(double deflection, double compression, double height) { return compression - height - deflection; }
+
+// The scale s [length] of gaps; contact/target.cpp says why.
+struct ScaleTerms {
+  bool periodic, by_load;
+  bool whole;          // every point may carry pressure
+  double deflected;    // what a cell is deflected by at least under the mean pressure that is prescribed
+  double mean_height;  // of the undeformed gap above its lowest point
+  double tol;
+};
+constexpr double residual_scale(const ScaleTerms& terms, double compression) {
+  if (!terms.periodic) return compression;
+  if (terms.by_load) return larger_of(compression, terms.deflected);
+  const double mean_gap = terms.mean_height > compression ? terms.mean_height - compression : compression - terms.mean_height;
+  return !terms.whole || mean_gap == 0 ? compression : smaller_of(compression, mean_gap / (2 * terms.tol));
+}
+
+// What solvers take for the scale at least, periodic boundaries under a load: in full contact the compression may vanish.
+constexpr double least_scale_under(double load, double points) { return 0.25 * load / points; }
 
 // Periodic, elastic, every point may carry pressure: the load is not determined by an approach beyond the mean plane.
 constexpr bool beyond_mean_plane(double compression, double mean_height) { return compression > 0 && compression >= mean_height; }

@@ -9,16 +9,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <exception>
 #include <memory>
-#include <new>
 #include <numeric>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
-#include "core/error.h"
+#include "core/caught.h"
 
 namespace rc {
 
@@ -69,15 +67,15 @@ class Ranks {
   void failed(rc_status status, const char* message) const noexcept;
   // Runs an action that may throw. Then this rank has failed.
   template <class Action> void guarded(const Action& action) const noexcept {
-    try {
-      action();
-    } catch (const Error& error) {
-      failed(error.code(), error.what());
-    } catch (const std::bad_alloc&) {
-      failed(RC_ERR_MEMORY, "out of memory");
-    } catch (const std::exception& error) {
-      failed(RC_ERR_INTERNAL, error.what());
-    }
+    caught(
+        [&]() -> rc_status {
+          action();
+          return RC_OK;
+        },
+        [&](rc_status status, const char* what) {
+          failed(status, what);
+          return status;
+        });
   }
 
   // Runs an action that all ranks do alike, each with exchanges in it. If one fails, wherever that is, the others learn of it

@@ -12,13 +12,10 @@ SharedRows::SharedRows(const Ranks& shared) : rc_rows{}, of(&shared) {
   };
   agree = [](const rc_rows* rows, rc_status mine) -> rc_status {
     if (mine != RC_OK) ranks_of(rows)->failed(mine, last_message());
-    try {
+    return caught([&]() -> rc_status {
       ranks_of(rows)->agree();
       return RC_OK;
-    } catch (const Error& error) {
-      set_message(error.what());
-      return error.code();
-    }
+    });
   };
   gather = [](const rc_rows* rows, const void* mine, const std::int64_t* bytes, void* all) {
     ranks_of(rows)->gather_unwatched(mine, bytes, all);

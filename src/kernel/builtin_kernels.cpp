@@ -75,10 +75,6 @@ extern "C" rc_status rc_builtin_kernels(const rc_host*, const rc_plugin** out) {
                                    .abi_minor = RC_PLUGIN_ABI_MINOR,
                                    .name = "kernels",
                                    .version = "0.1.0",
-                                   .n_backends = 0,
-                                   .n_solvers = 0,
-                                   .backends = nullptr,
-                                   .solvers = nullptr,
                                    .n_kernels = static_cast<std::int64_t>(entries.size()),
                                    .kernels = entries.data()};
   *out = &plugin;

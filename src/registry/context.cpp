@@ -12,8 +12,6 @@
 
 namespace rc {
 
-RC_FIRST_SIZE(rc_plugin, solvers, 64);
-
 Context::Context(const ContextConfig& config) : config_(config), host_(*this) {
   for (const OptionSpec& spec : core_options()) schema_.add(spec);
   for (const rc_plugin_query_fn query : builtin_plugins()) {
@@ -35,15 +33,16 @@ void Context::log(std::int32_t level, const std::string& message) const {
 
 namespace {
 
-// The members that the component's header knew, the rest null.
-template <class Vtable> Vtable zero_filled(const Vtable& vtable) {
-  Vtable copy{};
-  std::memcpy(&copy, &vtable, std::min(vtable.struct_size, sizeof copy));
+const char* kind_of(const rc_backend&) { return "backend"; }
+const char* kind_of(const rc_solver&) { return "solver"; }
+const char* kind_of(const rc_kernel&) { return "kernel"; }
+
+// The members that the plugin's header has, the rest null.
+template <class Table> Table zero_filled(const Table& table) {
+  Table copy{};
+  std::memcpy(&copy, &table, std::min(table.struct_size, sizeof copy));
   return copy;
 }
-
-const char* kind_of(const rc_backend&) { return "backend"; }
-const char* kind_of(const rc_kernel&) { return "kernel"; }
 
 // A function and its bit in caps go together.
 template <class Vtable> void check_bit(const Vtable& component, std::uint64_t bit, bool present, const char* function) {
@@ -52,7 +51,7 @@ template <class Vtable> void check_bit(const Vtable& component, std::uint64_t bi
          "() but its caps say otherwise");
 }
 
-void check_members(const rc_backend& backend) {
+void check_members(const rc_backend& backend, const std::string&) {
   if (!backend.create || !backend.destroy || !backend.bind || !backend.apply || !backend.field || !backend.modelled)
     fail(RC_ERR_PLUGIN, "backend \"", backend.name, "\" lacks one of create, destroy, bind, apply, field, modelled");
   if (!backend.fetch != !backend.store)
@@ -64,12 +63,14 @@ void check_members(const rc_backend& backend) {
   check_bit(backend, RC_CAP_SCREEN, backend.screen != nullptr, "screen");
 }
 
-void check_members(const rc_solver& solver) {
+void check_members(const rc_solver& solver, const std::string& origin) {
   if (!solver.solve || (solver.controls & RC_CONTROL_APPROACH) == 0)
     fail(RC_ERR_PLUGIN, "solver \"", solver.name, "\" lacks solve or approach control");
+  if ((solver.needs & RC_TAKES_ROWS) && origin != built_in_origin)
+    fail(RC_ERR_PLUGIN, "solver \"", solver.name, "\" takes rows, which only solvers built into the library can");
 }
 
-void check_members(const rc_kernel& kernel) {
+void check_members(const rc_kernel& kernel, const std::string&) {
   check_bit(kernel, RC_KERNEL_FREE, kernel.window != nullptr, "window");
   check_bit(kernel, RC_KERNEL_PERIODIC, kernel.symbol != nullptr, "symbol");
   if (!kernel.window && !kernel.symbol) fail(RC_ERR_PLUGIN, "kernel \"", kernel.name, "\" lacks window and symbol");
@@ -96,13 +97,15 @@ const Component<Vtable>* Context::find(const std::deque<Component<Vtable>>& comp
 template <class Vtable>
 void Context::add_component(std::deque<Component<Vtable>>& components, const Vtable* vtable, const std::string& origin) {
   if (!vtable) fail(RC_ERR_PLUGIN, "a component is null");
+  if (vtable->struct_size < first_size<Vtable>)
+    fail(RC_ERR_PLUGIN, "a ", kind_of(*vtable), " has struct_size ", vtable->struct_size, ", smaller than ", first_size<Vtable>);
   const Vtable copy = zero_filled(*vtable);
   if (!copy.name || !is_component_name(copy.name))
     fail(RC_ERR_PLUGIN, "a component is named \"", copy.name ? copy.name : "",
          "\"; names are [a-z][a-z0-9_-]*, at most 31 characters");
   if (!copy.summary || !copy.license) fail(RC_ERR_PLUGIN, "component \"", copy.name, "\" lacks a summary or a licence");
   if (knows(copy.name)) fail(RC_ERR_PLUGIN, "a component named \"", copy.name, "\" is registered already");
-  check_members(copy);
+  check_members(copy, origin);
   if (copy.n_options > 0 && !copy.options) fail(RC_ERR_PLUGIN, "component \"", copy.name, "\" has options, but the list is null");
   for (std::int64_t i = 0; i < copy.n_options; ++i) {
     if (!copy.options[i]) fail(RC_ERR_PLUGIN, "component \"", copy.name, "\": option ", i, " is null");

@@ -2,12 +2,11 @@
 #include <functional>
 #include <map>
 #include <mutex>
-#include <new>
 #include <string>
 #include <string_view>
 #include <utility>
 
-#include "core/error.h"
+#include "core/caught.h"
 #include "registry/context.h"
 #include "registry/options_handle.h"
 #include "registry/system_kernel.h"
@@ -18,19 +17,10 @@ namespace {
 
 // Components are C: exceptions stay on this side.
 template <class Body> rc_status shielded(const Body& body) {
-  try {
+  return caught([&]() -> rc_status {
     body();
     return RC_OK;
-  } catch (const Error& error) {
-    set_message(error.what());
-    return error.code();
-  } catch (const std::bad_alloc&) {
-    set_message("out of memory");
-    return RC_ERR_MEMORY;
-  } catch (const std::exception& error) {
-    set_message(error.what());
-    return RC_ERR_INTERNAL;
-  }
+  });
 }
 
 // Never destroyed: operators may be destroyed by the program's last static destructors. A lock that exists is found without an

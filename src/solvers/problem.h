@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/own_history.h"
+#include "core/certificate_terms.h"
 #include "core/ranks.h"
 #include "grid/gap_values.h"
 
@@ -26,7 +26,8 @@ class Problem {
       : host_(host), problem_(problem), options_(options) {}
 
   std::int64_t size() const { return problem_.n; }
-  const Ranks* ranks() const { return SharedRows::ranks_of(problem_.rows); }  // null: all is here
+  // Null: all is here. Only solvers built into this library get rows, and those are its own.
+  const Ranks* ranks() const { return SharedRows::ranks_of(problem_.rows); }
   bool load_control() const { return problem_.control == RC_CONTROL_LOAD; }
   const double* u() const { return problem_.u; }  // null: (approach - gap) / length_unit()
   double load() const { return problem_.load; }
@@ -36,7 +37,7 @@ class Problem {
   double least_scale() const {
     const bool periodic = problem_.grid && problem_.grid->boundary == RC_BOUNDARY_PERIODIC;
     const std::int64_t n = ranks() ? grid()->nx * grid()->ny : size();
-    return periodic && load_control() ? 0.25 * problem_.load / static_cast<double>(n) : 0.0;
+    return periodic && load_control() ? least_scale_under(problem_.load, static_cast<double>(n)) : 0.0;
   }
 
   // y = H x
@@ -62,8 +63,7 @@ class Problem {
   const rc_grid* grid() const { return problem_.grid; }
   GapValues gap() const {
     const auto points = static_cast<std::size_t>(ranks() ? size() : grid()->nx * grid()->ny);
-    if (grid()->undeformed_gap_single) return std::span(grid()->undeformed_gap_single, points);
-    return std::span(grid()->undeformed_gap, points);
+    return {grid()->undeformed_gap, points};
   }
   std::span<const std::uint8_t> mask() const { return {grid()->mask, grid()->mask ? gap().size() : 0}; }  // empty: all points
   // Runs another solver, with pressure on the positions `a` only. product: null, or receives H p.
@@ -96,8 +96,9 @@ class Problem {
   bool has_float() const { return problem_.apply_float != nullptr; }
   void apply(const float* x, float* y) const { check(problem_.apply_float(&problem_, x, y)); }
   void apply(const double* x, double* y) const { check(problem_.apply(&problem_, x, y)); }
-  const rc_kept_steps* history() const { return problem_.history; }  // null: no later step starts from this answer
-  bool may_go_without() const { return history() && static_cast<const OwnHistory*>(history())->may_go_without; }
+  const rc_kept_steps* kept() const { return problem_.kept; }  // null: no later step starts from this answer
+  // Whether a step may go on without what only makes it faster, if there is no memory for it.
+  bool may_go_without() const { return kept() && kept()->may_go_without != 0; }
   const rc_team& team() const { return *problem_.team; }
   double length_unit() const { return problem_.length; }
   double pressure_unit() const { return problem_.pressure; }

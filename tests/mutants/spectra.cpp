@@ -1,4 +1,4 @@
-#include "contact/proof/spectrum.h"
+#include "contact/spectrum.h"
 #include "kernel/lowest_eigenvalue.h"
 #include "known_answers.h"
 #include "problems.h"

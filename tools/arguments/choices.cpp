@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/text.h"
-#include "error.h"
+#include "formats/error.h"
 #include "text.h"
 
 namespace cli {
@@ -26,8 +26,7 @@ std::size_t choice(std::string_view option, std::string_view name, std::span<con
   for (std::size_t k = 0; k < names.size(); ++k) {
     all += (k == 0 ? "" : k + 1 < names.size() ? ", " : " or ") + std::string(names[k]);
   }
-  throw Error(std::string(option) + ": " + in_quotes(name) + " is not known" + did_you_mean(name, {names.begin(), names.end()}) +
-              "; give " + all);
+  throw Error(option, ": ", in_quotes(name), " is not known", did_you_mean(name, {names.begin(), names.end()}), "; give ", all);
 }
 
 }  // namespace cli

@@ -10,6 +10,7 @@
 #include "formats/registry.h"
 #include "library.h"
 #include "solve/problem.h"
+#include "text.h"
 
 namespace cli {
 
@@ -17,25 +18,17 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-template <class Count, class Describe> Names components(Count count, Describe describe) {
+Names or_auto(Count count, Describe describe) {
   const Context context;
   Names names{"auto"};
-  for (int64_t i = 0, n = count(context.get()); i < n; ++i) {
-    rc_component component = RC_COMPONENT_INIT;
-    check(describe(context.get(), i, &component), "");
-    names.emplace_back(component.name);
-  }
+  for (const rc_component& each : components(context, count, describe)) names.emplace_back(each.name);
   return names;
 }
 
 Names keys() {
   const Context context;
   Names names;
-  for (int64_t i = 0, n = rc_options_count(context.get()); i < n; ++i) {
-    rc_option_spec option = RC_OPTION_SPEC_INIT;
-    check(rc_options_describe(context.get(), i, &option), "");
-    names.push_back(std::string(option.key) + "=");
-  }
+  for (const rc_option_spec& each : option_specs(context)) names.push_back(std::string(each.key) + "=");
   return names;
 }
 
@@ -44,9 +37,9 @@ Names texts(std::span<const std::string_view> names) { return {names.begin(), na
 // What may stand after an option, by its name, or after KEY= in --set.
 Names values(std::string_view option) {
   while (option.starts_with('-')) option.remove_prefix(1);
-  if (option == "solver") return components(rc_solver_count, rc_solver_describe);
-  if (option == "backend") return components(rc_backend_count, rc_backend_describe);
-  if (option == "kernel") return components(rc_kernel_count, rc_kernel_describe);
+  if (option == "solver") return or_auto(rc_solver_count, rc_solver_describe);
+  if (option == "backend") return or_auto(rc_backend_count, rc_backend_describe);
+  if (option == "kernel") return or_auto(rc_kernel_count, rc_kernel_describe);
   if (option == "boundary") return texts(boundary_names);
   if (option == "missing") return texts(missing_rule_names);
   if (option == "remove") return texts(form_names);

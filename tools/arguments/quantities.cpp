@@ -3,8 +3,9 @@
 #include <cmath>
 #include <string>
 
-#include "error.h"
-#include "numbers.h"
+#include "formats/error.h"
+#include "formats/numbers.h"
+#include "formats/units.h"
 #include "text.h"
 
 namespace cli {
@@ -18,8 +19,8 @@ struct Reading {
 
 Reading take_apart(std::string_view option, std::string_view text) {
   const auto found = leading_number(text);
-  if (!found) throw Error(std::string(option) + ": " + in_quotes(text) + " is not a number");
-  if (!std::isfinite(found->first)) throw Error(std::string(option) + ": " + in_quotes(text) + " is not finite");
+  if (!found) throw Error(option, ": ", in_quotes(text), " is not a number");
+  if (!std::isfinite(found->first)) throw Error(option, ": ", in_quotes(text), " is not finite");
   return {found->first, trimmed(found->second)};
 }
 
@@ -37,18 +38,17 @@ Quantity read_quantity(std::string_view option, std::string_view text, Dimension
   if (reading.unit.empty()) return {reading.number, unit};
   const auto named = find_unit(reading.unit);
   if (!named) {
-    throw Error(std::string(option) + ": the unit of " + in_quotes(text) + " is not known (capitals count), " +
-                expected(dimension));
+    throw Error(option, ": the unit of ", in_quotes(text), " is not known (capitals count), ", expected(dimension));
   }
   if (named->dimension != dimension) {
-    throw Error(std::string(option) + ": " + in_quotes(text) + " is " + name_of(named->dimension) + ", " + expected(dimension));
+    throw Error(option, ": ", in_quotes(text), " is ", name_of(named->dimension), ", ", expected(dimension));
   }
   return {reading.number, named->factor};
 }
 
 Quantity read_positive(std::string_view option, std::string_view text, Dimension dimension, double unit) {
   const Quantity quantity = read_quantity(option, text, dimension, unit);
-  if (!(quantity.number > 0)) throw Error(std::string(option) + ": " + in_quotes(text) + " is not positive");
+  if (!(quantity.number > 0)) throw Error(option, ": ", in_quotes(text), " is not positive");
   return quantity;
 }
 
@@ -61,9 +61,39 @@ std::vector<Quantity> read_quantities(std::string_view option, const std::vector
     if (quantities.back().number != 0) (take_apart(option, text).unit.empty() ? without : with) = text;
   }
   if (!with.empty() && !without.empty())
-    throw Error(std::string(option) + ": " + in_quotes(with) + " has a unit and " + in_quotes(without) +
-                " has none, give every number its unit");
+    throw Error(option, ": ", in_quotes(with), " has a unit and ", in_quotes(without), " has none, give every number its unit");
   return quantities;
+}
+
+double length_unit(const std::optional<std::string>& name) {
+  if (!name) return 1;
+  if (const auto metres = metres_per(*name)) return *metres;
+  throw Error("--unit: ", in_quotes(*name), " is not a length unit, give ", units_of(Dimension::length));
+}
+
+std::optional<Pitch> pitch_argument(const std::optional<std::string>& text, double unit) {
+  if (!text) return std::nullopt;
+  const auto parts = split(*text, ',');
+  if (parts.size() > 2) throw Error("--pitch: ", in_quotes(*text), " has ", parts.size(), " numbers, give H or HX,HY");
+  const auto given = read_quantities("--pitch", parts, Dimension::length, unit);
+  for (const Quantity& pitch : given) {
+    if (!(pitch.number > 0)) throw Error("--pitch: ", in_quotes(*text), " is not positive");
+  }
+  return Pitch{given.front(), given.back()};
+}
+
+std::string settle_pitch(const std::optional<Pitch>& given, const std::string& file, Surface& surface) {
+  std::string note;
+  const bool in_file = surface.hx && surface.hy;
+  if (!given && !in_file) throw Error(file, ": the file does not say its pitch, give --pitch H or --pitch HX,HY");
+  if (given && in_file) {
+    note = format("--pitch is used instead of the pitch %g m, %g m of the file", *surface.hx, *surface.hy);
+  }
+  if (given) {
+    surface.hx = given->x.si();
+    surface.hy = given->y.si();
+  }
+  return note;
 }
 
 }  // namespace cli

@@ -1,9 +1,13 @@
-// Physical quantities given on the command line: "39nm", "210 GPa", or a number alone.
+// Physical quantities given on the command line: "39nm", "210 GPa", or a number alone; the unit and pitch of a
+// surface.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "formats/surface.h"
 #include "units.h"
 
 namespace cli {
@@ -25,5 +29,18 @@ Quantity read_positive(std::string_view option, std::string_view text, Dimension
 // Several of them. Numbers with and without a unit in one list are refused, because either reading may be meant; 0 needs none.
 std::vector<Quantity> read_quantities(std::string_view option, const std::vector<std::string_view>& texts, Dimension dimension,
                                       double unit = 1);
+
+// Metres per --unit, 1 where it was not given.
+double length_unit(const std::optional<std::string>& name);
+
+struct Pitch {
+  Quantity x, y;
+};
+
+// --pitch, of which numbers alone are in `unit`.
+std::optional<Pitch> pitch_argument(const std::optional<std::string>& text, double unit);
+
+// Puts the given pitch into the surface, or checks that the file has one. Returns a note for the user, or "".
+std::string settle_pitch(const std::optional<Pitch>& given, const std::string& file, rc::formats::Surface& surface);
 
 }  // namespace cli

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "arguments/quantities.h"
-#include "error.h"
-#include "numbers.h"
+#include "formats/error.h"
+#include "formats/numbers.h"
 #include "text.h"
 
 namespace cli {
@@ -20,8 +20,7 @@ std::vector<double> values(std::string_view option, const std::vector<std::strin
                            double unit) {
   std::vector<double> found;
   for (const Quantity& quantity : read_quantities(option, texts, dimension, unit)) {
-    if (quantity.number < 0)
-      throw Error(std::string(option) + ": " + in_quotes(texts[found.size()]) + " is negative, give 0 or more");
+    if (quantity.number < 0) throw Error(option, ": ", in_quotes(texts[found.size()]), " is negative, give 0 or more");
     found.push_back(quantity.si());
   }
   return found;
@@ -30,7 +29,7 @@ std::vector<double> values(std::string_view option, const std::vector<std::strin
 std::vector<double> range(std::string_view option, std::string_view text, Dimension dimension, double unit) {
   const auto parts = split(text, ':');
   const std::string here = std::string(option) + ": range " + in_quotes(text);
-  if (parts.size() != 3) throw Error(here + " has not the form a:b:n or a:b:nlog");
+  if (parts.size() != 3) throw Error(here, " has not the form a:b:n or a:b:nlog");
 
   const auto ends = values(option, {parts[0], parts[1]}, dimension, unit);
   std::string_view number = trimmed(parts[2]);
@@ -38,10 +37,10 @@ std::vector<double> range(std::string_view option, std::string_view text, Dimens
   if (ratios) number.remove_suffix(logarithmic.size());
   const auto count = to_integer(number);
   if (!count || *count < 1 || *count > most_points) {
-    throw Error(here + " has n = " + in_quotes(parts[2]) + ", give a whole number from 1 to " + std::to_string(most_points) +
+    throw Error(here, " has n = ", in_quotes(parts[2]), ", give a whole number from 1 to ", most_points,
                 ", or with log behind it for equal ratios");
   }
-  if (ratios && !(ends[0] > 0 && ends[1] > 0)) throw Error(here + " has equal ratios, give two ends above 0");
+  if (ratios && !(ends[0] > 0 && ends[1] > 0)) throw Error(here, " has equal ratios, give two ends above 0");
 
   std::vector<double> points{ends[0]};
   for (std::int64_t k = 1; k < *count; ++k) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "error.h"
+#include "formats/error.h"
 #include "text.h"
 
 namespace cli {
@@ -66,7 +66,7 @@ std::optional<EarlierRun> read_earlier_run(const std::string& text) {
 
 void check_continues(const EarlierRun& earlier, const EarlierRun& now, std::size_t steps, const std::string& name) {
   const auto refuse = [&](const std::string& what, const std::string& before, const std::string& here) {
-    throw Error("--resume: " + name + " is of a run with " + what + " " + before + ", this one has " + here +
+    throw Error("--resume: ", name, " is of a run with ", what, " ", before, ", this one has ", here,
                 ": give the same arguments, or leave --resume out to begin anew");
   };
   const auto compare = [&](const std::vector<JsonEntry>& one) {

@@ -1,23 +1,25 @@
-// NetCDF-4 through libnetcdf, in a module that the command loads when it is asked for.
+// NetCDF-4, which is HDF5, through libnetcdf, in a module that the command loads when it is asked for.
 #include <netcdf.h>
 #include <netcdf_mem.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <memory>
 
-#include "error.h"
 #include "files/step_image.h"
+#include "formats/error.h"
 
 namespace cli {
 
 namespace {
 
 void check(int status) {
-  if (status != NC_NOERR) throw Error(std::string("--write netcdf: ") + nc_strerror(status));
+  if (status != NC_NOERR) throw rc::formats::Error(std::string("--write: ") + nc_strerror(status));
 }
 
 void put_text(int file, int variable, const std::string& name, const std::string& text) {
-  check(nc_put_att_text(file, variable, name.c_str(), text.size(), text.c_str()));
+  // An empty text is a NUL, because HDF5 would have an attribute without a value.
+  check(nc_put_att_text(file, variable, name.c_str(), std::max<std::size_t>(text.size(), 1), text.c_str()));
 }
 
 void put_number(int file, const StepImage::Number& number) {

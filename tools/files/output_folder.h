@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "files/folder_lock.h"
+#include "platform/files.h"
 
 namespace cli {
 
@@ -33,9 +33,12 @@ class OutputFolder {
   void remove(const std::string& name);
 
  private:
+  void lock();
+
   std::filesystem::path path_;
   std::vector<std::filesystem::path> created_;
-  std::optional<FolderLock> lock_;
+  // On a file that names the process. It ends with the process, however that ends.
+  std::optional<rc_platform::LockFile> lock_;
 };
 
 }  // namespace cli

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <utility>
 
-#include "error.h"
 #include "files/step_writers.h"
 #include "files/whole_file.h"
+#include "formats/error.h"
 #include "platform/files.h"
 #include "text.h"
 
@@ -88,7 +88,7 @@ void RunFolder::refuse_foreign(const std::vector<std::string>& present) const {
     const std::size_t step = parts_of(name).number;
     if (of_all_steps(name) || step > 0) folder_.refuse_special(name);
     if (of_all_steps(name) ? earlier_.has_value() : step <= own || step > problem_.targets.size()) continue;
-    throw Error("--out: " + in_quotes(folder_.path(name).string()) +
+    throw Error("--out: ", in_quotes(folder_.path(name).string()),
                 " exists, but belongs to no earlier run in summary.json: move it away, or give another folder");
   }
 }
@@ -108,8 +108,7 @@ void RunFolder::take_up(const EarlierRun& now, const std::vector<std::string>& p
     if (parts.number == 0 || parts.number > finished_) continue;
     const std::string here = step_name(parts.stem.c_str(), parts.number, parts.extension.c_str());
     if (here != name && !rc_platform::rename_over(folder_.path(name), folder_.path(here)))
-      throw Error("--resume: cannot rename " + in_quotes(folder_.path(name).string()) + " to " + here + ": " +
-                  std::strerror(errno));
+      throw Error("--resume: cannot rename ", in_quotes(folder_.path(name).string()), " to ", here, ": ", std::strerror(errno));
   }
 }
 

@@ -10,7 +10,7 @@
 
 #include "files/earlier_run.h"
 #include "files/output_folder.h"
-#include "files/step_table.h"
+#include "files/step_fields.h"
 #include "files/summary.h"
 #include "solve/problem.h"
 

@@ -1,6 +1,10 @@
 #include "files/step_fields.h"
 
+#include <iomanip>
+#include <sstream>
 #include <utility>
+
+#include "text.h"
 
 namespace cli {
 
@@ -91,6 +95,34 @@ std::string_view unit_of(std::string_view name) {
     if (field == name) return unit;
   }
   return "";
+}
+
+namespace {
+
+// As RFC 4180 has it: a text that could be taken apart stands in quotes, and a quote in it is doubled.
+std::string cell(const JsonValue& value) {
+  if (!std::holds_alternative<std::string>(value)) {
+    const std::string number = dumped(value);
+    return number == "null" ? "" : number;  // also where it is not finite
+  }
+  const auto& text = std::get<std::string>(value);
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::ostringstream quoted;
+  quoted << std::quoted(text, '"', '"');
+  return quoted.str();
+}
+
+}  // namespace
+
+void StepTable::add(std::span<const JsonEntry> step) {
+  std::string header = "step", row = std::to_string(++rows_);
+  for (const JsonEntry& field : step) {
+    const std::string name{name_of(field)}, unit{unit_of(name)};
+    header += format(unit.empty() ? ",%s" : ",%s [%s]", name.c_str(), unit.c_str());
+    row.append(1, ',').append(cell(field.value));
+  }
+  if (text_.empty()) text_ = header + "\n";
+  text_ += row + "\n";
 }
 
 }  // namespace cli

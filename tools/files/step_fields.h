@@ -1,6 +1,8 @@
 // What summary.json and steps.csv say of a step, under the same names.
 #pragma once
 
+#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -17,5 +19,16 @@ std::string_view name_of(const JsonEntry& field);
 
 // The unit of a field, "" if it has none.
 std::string_view unit_of(std::string_view name);
+
+// steps.csv: one row a step, with the names of summary.json and their units in the header.
+class StepTable {
+ public:
+  void add(std::span<const JsonEntry> step);
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+  int rows_ = 0;
+};
 
 }  // namespace cli

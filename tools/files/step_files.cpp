@@ -4,12 +4,12 @@
 #include <string_view>
 #include <utility>
 
-#include "error.h"
-#include "files/npy_writer.h"
+#include "files/array_files.h"
 #include "files/step_fields.h"
+#include "formats/error.h"
+#include "formats/surface.h"
 #include "pictures/contact.h"
 #include "platform/files.h"
-#include "surface/surface.h"
 #include "text.h"
 
 namespace cli {
@@ -61,9 +61,8 @@ std::vector<double> StepFiles::values(const char* stem, std::size_t number) cons
   const std::string name = run_.step_name(stem, number, "npy");
   const Surface read = read_surface(run_.files().path(name), 1, "npy");
   if (read.nx != problem_.system.nx || read.ny != problem_.system.ny)
-    throw Error(format("--resume: %s has %lld x %lld points, the surface has %lld x %lld", name.c_str(),
-                       static_cast<long long>(read.nx), static_cast<long long>(read.ny),
-                       static_cast<long long>(problem_.system.nx), static_cast<long long>(problem_.system.ny)));
+    throw Error("--resume: ", name, " has ", read.nx, " x ", read.ny, " points, the surface has ", problem_.system.nx, " x ",
+                problem_.system.ny);
   return read.heights;
 }
 

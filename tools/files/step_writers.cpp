@@ -3,8 +3,8 @@
 #include <filesystem>
 
 #include "arguments/choices.h"
-#include "error.h"
-#include "numbers.h"
+#include "formats/error.h"
+#include "formats/numbers.h"
 #include "platform/files.h"
 #include "platform/libraries.h"
 #include "platform/process.h"
@@ -16,18 +16,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Modules that have the writers; null: the command itself.
-constexpr const char* modules[] = {nullptr, "write-netcdf", "write-hdf5"};
-
-// The libraries of NetCDF and HDF5 bring dozens of others, which take some 40 ms to load: only a run that writes such files does.
-StepWriter loaded(const char* name, std::string_view format) {
+// NetCDF's library brings dozens of others, which take some 40 ms to load: only a run that writes such files does.
+StepWriter loaded(std::string_view format) {
   const fs::path folder = rc_platform::path_of(rc_platform::own_program()).parent_path() / RC_LIBRARY_FROM_BIN / "roughcontact";
-  const std::string file = name + std::string(rc_platform::library_suffix);
+  const std::string file = "write-netcdf" + std::string(rc_platform::library_suffix);
   const rc_platform::OpenedPlugin module = rc_platform::open_plugin((folder / file).string());
   void* const found = module.code ? rc_platform::symbol_of(module.code, "rc_write_step") : nullptr;
   if (!found) {
-    throw Error("--write: " + std::string(format) + " was not built in (" + module.error +
-                "): build with its library (Debian: lib" + std::string(format) + "-dev), or give vti");
+    throw Error("--write: ", format, " was not built in (", module.error,
+                "): build with the library of NetCDF (Debian: libnetcdf-dev), or give vti");
   }
   return reinterpret_cast<StepWriter>(found);
 }
@@ -38,7 +35,7 @@ StepWriters find_step_writers(std::string_view formats) {
   StepWriters found;
   for (const std::string_view format : split(formats, ',')) {
     const std::size_t k = choice("--write", format, step_formats);
-    found.push_back({step_extensions[k], modules[k] ? loaded(modules[k], format) : write_vti});
+    found.push_back({step_extensions[k], format == "vti" ? write_vti : loaded(format)});
   }
   return found;
 }

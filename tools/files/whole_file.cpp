@@ -6,7 +6,7 @@
 #include <cstring>
 #include <utility>
 
-#include "error.h"
+#include "formats/error.h"
 #include "platform/files.h"
 #include "text.h"
 
@@ -17,14 +17,14 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t random_digits = 16;
-constexpr std::string_view ending = ".tmp";
+constexpr std::string_view unfinished_ending = ".tmp";
 
 // The path of the temporary file that is being written.
 std::atomic<const fs::path::value_type*> unfinished{nullptr};
 static_assert(std::atomic<const fs::path::value_type*>::is_always_lock_free);
 
 [[noreturn]] void fail(const fs::path& target) {
-  throw Error("cannot write " + in_quotes(target.string()) + ": " + std::strerror(errno));
+  throw Error("cannot write ", in_quotes(target.string()), ": ", std::strerror(errno));
 }
 
 // Unlinks the file unless it was renamed away.
@@ -71,7 +71,7 @@ fs::path temporary_for(const fs::path& target) {
   std::uint64_t number = 0;
   if (!rc_platform::draw_random(number)) fail(target);
   return target.parent_path() / rc_platform::path_of(format(".%s.%016llx%s", target.filename().string().c_str(),
-                                                            static_cast<unsigned long long>(number), ending.data()));
+                                                            static_cast<unsigned long long>(number), unfinished_ending.data()));
 }
 
 void write_whole_file(const fs::path& path, const std::function<bool(std::FILE*)>& fill) {
@@ -93,9 +93,9 @@ void remove_unfinished_file() noexcept {
 }
 
 std::string_view target_of_temporary(std::string_view name) {
-  const std::size_t added = 1 + random_digits + ending.size();
-  if (!name.starts_with('.') || !name.ends_with(ending) || name.size() <= 1 + added) return {};
-  const std::string_view digits = name.substr(name.size() - ending.size() - random_digits, random_digits);
+  const std::size_t added = 1 + random_digits + unfinished_ending.size();
+  if (!name.starts_with('.') || !name.ends_with(unfinished_ending) || name.size() <= 1 + added) return {};
+  const std::string_view digits = name.substr(name.size() - unfinished_ending.size() - random_digits, random_digits);
   const bool ours = digits.find_first_not_of("0123456789abcdef") == std::string_view::npos && name[name.size() - added] == '.';
   return ours ? name.substr(1, name.size() - 1 - added) : std::string_view{};
 }

@@ -4,14 +4,14 @@
 #include <cstdio>
 #include <vector>
 
+#include "formats/surface.h"
 #include "pictures/gnuplot.h"
 #include "solve/step_record.h"
-#include "surface/surface.h"
 
 namespace cli {
 
 struct Picture {
-  const Surface& surface;  // with its pitch
+  const rc::formats::Surface& surface;  // with its pitch
   const std::vector<double>& pressure;
   const StepRecord& step;
   std::size_t steps;

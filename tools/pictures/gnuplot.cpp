@@ -12,7 +12,7 @@ namespace cli {
 
 namespace {
 
-using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+using OpenFile = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
 // gnuplot's message: the first line that is neither the echo of a command nor the mark under its fault.
 std::string complaint(std::FILE* output) {
@@ -28,7 +28,7 @@ std::string complaint(std::FILE* output) {
 }  // namespace
 
 Gnuplot run_gnuplot(const std::string& script, std::FILE* picture) {
-  const File input{rc_platform::create_unnamed(), std::fclose}, complaints{rc_platform::create_unnamed(), std::fclose};
+  const OpenFile input{rc_platform::create_unnamed(), std::fclose}, complaints{rc_platform::create_unnamed(), std::fclose};
   if (!input || !complaints || std::fwrite(script.data(), 1, script.size(), input.get()) != script.size() ||
       std::fflush(input.get()) != 0 || std::fseek(input.get(), 0, SEEK_SET) != 0)
     return {false, false, std::strerror(errno)};

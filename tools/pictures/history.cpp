@@ -20,11 +20,7 @@ double slope_for_persson(const Problem& problem) {
   constexpr double most_skewness = 1, least_kurtosis = 2.3, most_kurtosis = 5;  // 0 and 3 for a Gaussian, 1.5 for a wave
   if (problem.system.boundary != RC_BOUNDARY_PERIODIC || problem.system.hardness > 0) return 0;
   if (!problem.input.mask.empty() || !problem.input.shape.empty()) return 0;
-  rc_surface_map map = RC_SURFACE_MAP_INIT;
-  map.nx = problem.system.nx;
-  map.ny = problem.system.ny;
-  map.hx = problem.system.hx;
-  map.hy = problem.system.hy;
+  auto map = on_grid(problem.input.surface, rc_surface_map RC_SURFACE_MAP_INIT);
   map.heights = problem.input.surface.heights.data();
   map.periodic = problem.input.surface.periodic.value_or(false) ? 1 : 0;
   rc_surface_statistics statistics = RC_SURFACE_STATISTICS_INIT;
@@ -34,18 +30,12 @@ double slope_for_persson(const Problem& problem) {
   return gaussian ? statistics.rms_slope : 0;
 }
 
-using Value = double (*)(const HistoryPoint&);
+using Value = double HistoryPoint::*;
 using Steps = std::vector<HistoryPoint>;
-
-double load(const HistoryPoint& step) { return step.load; }
-double approach(const HistoryPoint& step) { return step.approach; }
-double fraction(const HistoryPoint& step) { return step.area_fraction; }
-double gap(const HistoryPoint& step) { return step.mean_gap; }
-double stiffness(const HistoryPoint& step) { return step.stiffness; }
 
 double largest(const Steps& steps, Value value) {
   double most = 0;
-  for (const HistoryPoint& step : steps) most = std::max(most, std::isfinite(value(step)) ? std::abs(value(step)) : 0);
+  for (const HistoryPoint& step : steps) most = std::max(most, std::isfinite(step.*value) ? std::abs(step.*value) : 0);
   return most;
 }
 
@@ -53,7 +43,7 @@ double largest(const Steps& steps, Value value) {
 bool spread(const Steps& steps, Value value) {
   constexpr double far = 30;
   const auto [least, most] = std::ranges::minmax(steps, {}, value);
-  return value(least) > 0 && value(most) > far * value(least);
+  return least.*value > 0 && most.*value > far * least.*value;
 }
 
 struct Axis {
@@ -70,12 +60,12 @@ std::string label(const Axis& axis) { return std::string(axis.name) + " [" + axi
 std::string lines(const Steps& steps, const Axis& x, const Axis& y, bool falling) {
   std::string text;
   const auto point = [&](const HistoryPoint& step) {
-    text += format("%.9g %.9g\n", x.value(step) / x.unit.factor, y.value(step) / y.unit.factor);
+    text += format("%.9g %.9g\n", step.*x.value / x.unit.factor, step.*y.value / y.unit.factor);
   };
   bool open = false;
   for (std::size_t k = 0; k < steps.size(); ++k) {
     const bool falls = k > 0 && steps[k].load < steps[k - 1].load;
-    const bool known = std::isfinite(y.value(steps[k])), known_before = k > 0 && std::isfinite(y.value(steps[k - 1]));
+    const bool known = std::isfinite(steps[k].*y.value), known_before = k > 0 && std::isfinite(steps[k - 1].*y.value);
     if (falls != falling || !known) {
       text += open ? "\n" : "";
       open = false;
@@ -141,14 +131,16 @@ std::string area_others(const Problem& problem, const Steps& steps, double area,
 Gnuplot draw_history(const Problem& problem, const std::vector<HistoryPoint>& steps, std::FILE* file) {
   const rc_system& system = problem.system;
   const double area = static_cast<double>(system.nx) * static_cast<double>(system.ny) * system.hx * system.hy;
-  const bool wide = spread(steps, load);
+  const bool wide = spread(steps, &HistoryPoint::load);
   const auto axis = [&](Value value, const char* name, const char* base, bool logarithmic) {
     return Axis{value, name, prefix_for(largest(steps, value)), base, logarithmic};
   };
-  const Axis force = axis(load, "load", "N", wide), depth = axis(approach, "approach", "m", wide && spread(steps, approach));
-  const Axis share{fraction, "contact area", {0.01, ""}, "%", wide && spread(steps, fraction)};
-  const Axis opening = axis(gap, "mean gap", "m", false),
-             rate = axis(stiffness, "stiffness", "N/m", wide && spread(steps, stiffness));
+  const Axis force = axis(&HistoryPoint::load, "load", "N", wide),
+             depth = axis(&HistoryPoint::approach, "approach", "m", wide && spread(steps, &HistoryPoint::approach));
+  const Axis share{
+      &HistoryPoint::area_fraction, "contact area", {0.01, ""}, "%", wide && spread(steps, &HistoryPoint::area_fraction)};
+  const Axis opening = axis(&HistoryPoint::mean_gap, "mean gap", "m", false),
+             rate = axis(&HistoryPoint::stiffness, "stiffness", "N/m", wide && spread(steps, &HistoryPoint::stiffness));
 
   std::string blocks;
   const std::string others = area_others(problem, steps, area, force.unit, blocks);

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "formats/surface.h"
 #include "pictures/raster.h"
-#include "surface/surface.h"
 #include "units.h"
 
 namespace cli {
@@ -30,7 +30,7 @@ struct Palette {
 // Two panels of the same size, beside each other or, where the surface is wide, above each other.
 class Layout {
  public:
-  explicit Layout(const Surface& surface);
+  explicit Layout(const rc::formats::Surface& surface);
 
   Size canvas() const { return canvas_; }
   Size panel() const { return panel_; }

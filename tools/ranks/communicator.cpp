@@ -5,7 +5,7 @@
 #include <exception>
 #include <numeric>
 
-#include "error.h"
+#include "formats/error.h"
 
 namespace cli {
 
@@ -33,7 +33,7 @@ void Communicator::together(const std::function<void()>& part) const {
   MPI_Bcast(&length, 1, MPI_INT, speaker, comm_);
   message.resize(static_cast<std::size_t>(length));
   MPI_Bcast(message.data(), length, MPI_CHAR, speaker, comm_);
-  throw Error(message);
+  throw rc::formats::Error(message);
 }
 
 void Communicator::on_first(const std::function<void()>& part) const {

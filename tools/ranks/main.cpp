@@ -10,7 +10,6 @@
 #include "arguments/shared_options.h"
 #include "platform/terminal.h"
 #include "press.h"
-#include "standard_streams.h"
 #include "text.h"
 
 namespace cli {

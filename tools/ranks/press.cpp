@@ -8,11 +8,11 @@
 #include <memory>
 
 #include "checkpoint.h"
-#include "error.h"
 #include "files/run_folder.h"
 #include "files/step_fields.h"
+#include "formats/error.h"
+#include "formats/numbers.h"
 #include "library.h"
-#include "numbers.h"
 #include "platform/files.h"
 #include "row_problem.h"
 #include "solve/conclusion.h"
@@ -38,7 +38,7 @@ class Run {
       if (!arguments_.out) throw Error("--checkpoint writes into the folder of --out, which is missing");
       const auto given = to_integer(*arguments.checkpoint);
       if (!given || *given < 1)
-        throw Error("--checkpoint: " + in_quotes(*arguments.checkpoint) + " is no number of iterations, give 1 or more");
+        throw Error("--checkpoint: ", in_quotes(*arguments.checkpoint), " is no number of iterations, give 1 or more");
       every_ = *given;
     }
     row_ = read_problem(ranks, arguments_);

@@ -7,9 +7,9 @@
 #include <cstring>
 #include <memory>
 
-#include "error.h"
-#include "files/npy_writer.h"
+#include "files/array_files.h"
 #include "files/whole_file.h"
+#include "formats/error.h"
 #include "platform/files.h"
 #include "text.h"
 
@@ -42,7 +42,7 @@ class RankFile {
     char text[MPI_MAX_ERROR_STRING] = "";
     int length = 0;
     MPI_Error_string(code, text, &length);
-    throw Error(format("cannot %s %s: ", what, in_quotes(name_).c_str()) + std::string(text, static_cast<std::size_t>(length)));
+    throw Error("cannot ", what, " ", in_quotes(name_), ": ", std::string_view(text, static_cast<std::size_t>(length)));
   }
 
   void read(std::uint64_t offset, char* bytes, std::size_t size) const {
@@ -50,7 +50,7 @@ class RankFile {
     check(MPI_File_read_at(file_, static_cast<MPI_Offset>(offset), bytes, static_cast<int>(size), MPI_BYTE, &status), "read");
     int got = 0;
     MPI_Get_count(&status, MPI_BYTE, &got);
-    if (static_cast<std::size_t>(got) != size) throw Error(name_ + ": the file ended while it was read");
+    if (static_cast<std::size_t>(got) != size) throw Error(name_, ": the file ended while it was read");
   }
 
   void write(std::uint64_t offset, const void* bytes, std::size_t size) const {
@@ -58,7 +58,7 @@ class RankFile {
     check(MPI_File_write_at(file_, static_cast<MPI_Offset>(offset), bytes, static_cast<int>(size), MPI_BYTE, &status), "write");
     int put = 0;
     MPI_Get_count(&status, MPI_BYTE, &put);
-    if (static_cast<std::size_t>(put) != size) throw Error("cannot write " + in_quotes(name_) + ": the disk took a part of it");
+    if (static_cast<std::size_t>(put) != size) throw Error("cannot write ", in_quotes(name_), ": the disk took a part of it");
   }
 
  private:
@@ -72,7 +72,7 @@ struct Close {
 
 std::string beginning(const std::string& name, std::uint64_t& size) {
   const std::unique_ptr<std::FILE, Close> file{rc_platform::open_to_read(rc_platform::path_of(name))};
-  if (!file) throw Error("cannot read " + in_quotes(name) + ": " + std::strerror(errno));
+  if (!file) throw Error("cannot read ", in_quotes(name), ": ", std::strerror(errno));
   size = rc_platform::size_of(file.get());
   std::string bytes(rc::formats::npy_longest_header + 12, '\0');
   bytes.resize(std::fread(bytes.data(), 1, bytes.size(), file.get()));
@@ -85,8 +85,7 @@ void check_layout(const NpyLayout& layout, std::uint64_t size) {
     throw Error(
         "the file is in Fortran order, in which no rank has whole rows: write it in C order, as numpy.ascontiguousarray gives "
         "it");
-  if (layout.nx < 1 || layout.ny < 1)
-    throw Error(format("shape (%lld, %lld) has no points", static_cast<long long>(layout.ny), static_cast<long long>(layout.nx)));
+  if (layout.nx < 1 || layout.ny < 1) throw Error("shape (", layout.ny, ", ", layout.nx, ") has no points");
   const auto data = size - layout.data, row = static_cast<std::uint64_t>(layout.nx) * layout.size;
   if (layout.nx > (std::int64_t{1} << 40) || data / row != static_cast<std::uint64_t>(layout.ny) || data % row != 0)
     throw Error(format("the file has %llu bytes of data, %lld x %lld points of %zu bytes need %.0f",
@@ -108,7 +107,7 @@ NpyLayout read_layout(const Communicator& ranks, const std::string& file) {
     check_layout(layout, size);
     return layout;
   } catch (const Error& error) {
-    throw Error(file + ": " + error.what());
+    throw Error(file, ": ", error.what());
   }
 }
 
@@ -156,7 +155,7 @@ void write_rows(const Communicator& ranks, const std::filesystem::path& path, st
   ranks.on_first([&] {
     const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
     if (!rc_platform::rename_over(name, path) || !rc_platform::bring_folder_to_disk(folder))
-      throw Error("cannot write " + in_quotes(path.string()) + ": " + std::strerror(errno));
+      throw Error("cannot write ", in_quotes(path.string()), ": ", std::strerror(errno));
   });
 }
 

@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "arguments/choices.h"
-#include "arguments/lengths.h"
-#include "error.h"
+#include "arguments/quantities.h"
 #include "files/summary.h"
+#include "formats/error.h"
 #include "library.h"
 #include "text.h"
 
@@ -49,9 +49,8 @@ void add_other(const Communicator& ranks, const std::string& file, double unit, 
                std::int64_t ny, Rows rows, std::vector<double>& heights) {
   const auto layout = read_layout(ranks, file);
   if (layout.nx != nx || layout.ny != ny)
-    throw Error(format("--against: %s has %lld x %lld points, %s has %lld x %lld: give two maps on the same grid", file.c_str(),
-                       static_cast<long long>(layout.nx), static_cast<long long>(layout.ny), name.c_str(),
-                       static_cast<long long>(nx), static_cast<long long>(ny)));
+    throw Error("--against: ", file, " has ", layout.nx, " x ", layout.ny, " points, ", name, " has ", nx, " x ", ny,
+                ": give two maps on the same grid");
   const std::vector<double> other = read_rows(ranks, file, layout, rows);
   for (std::size_t i = 0; i < heights.size(); ++i) heights[i] += unit * other[i];
 }
@@ -88,14 +87,13 @@ RowProblem read_problem(const Communicator& ranks, const SolveArguments& argumen
     return format("ix=%lld, iy=%lld", static_cast<long long>(point % nx), static_cast<long long>(point / nx));
   };
   const std::int64_t infinite = first_point(ranks, heights, nx, row.rows, [](double z) { return std::isinf(z); });
-  if (infinite >= 0) throw Error(input.file + ": the height at " + where(infinite) + " is not finite");
+  if (infinite >= 0) throw Error(input.file, ": the height at ", where(infinite), " is not finite");
   input.missing = ranks.sum(std::ranges::count_if(heights, [](double z) { return std::isnan(z); }));
   const std::int64_t missing = first_point(ranks, heights, nx, row.rows, [](double z) { return std::isnan(z); });
-  if (input.missing == nx * ny) throw Error(input.file + ": all points are missing");
+  if (input.missing == nx * ny) throw Error(input.file, ": all points are missing");
   if (input.missing > 0 && !exclude)
-    throw Error(format("%s: %lld missing values of %lld, first at ", input.file.c_str(), static_cast<long long>(input.missing),
-                       static_cast<long long>(nx * ny)) +
-                where(missing) + "; give --missing exclude to keep them out of contact");
+    throw Error(input.file, ": ", input.missing, " missing values of ", nx * ny, ", first at ", where(missing),
+                "; give --missing exclude to keep them out of contact");
   if (input.missing > 0) {
     for (const double z : heights) input.mask.push_back(std::isnan(z) ? 0 : 1);
   }
@@ -113,9 +111,8 @@ std::vector<double> read_step_rows(const Communicator& ranks, const std::string&
   const rc_system& system = row.problem.system;
   const auto layout = read_layout(ranks, file);
   if (layout.nx != system.nx || layout.ny != system.ny)
-    throw Error(format("--resume: %s has %lld x %lld points, the surface has %lld x %lld", file.c_str(),
-                       static_cast<long long>(layout.nx), static_cast<long long>(layout.ny), static_cast<long long>(system.nx),
-                       static_cast<long long>(system.ny)));
+    throw Error("--resume: ", file, " has ", layout.nx, " x ", layout.ny, " points, the surface has ", system.nx, " x ",
+                system.ny);
   return read_rows(ranks, file, layout, row.rows);
 }
 

@@ -5,8 +5,8 @@
 #include "arguments/choices.h"
 #include "arguments/quantities.h"
 #include "arguments/targets.h"
-#include "error.h"
-#include "numbers.h"
+#include "formats/error.h"
+#include "formats/numbers.h"
 #include "text.h"
 
 namespace cli {
@@ -19,12 +19,11 @@ using Text = std::optional<std::string>;
 double plane_modulus(const std::string& which, const Text& young_text, const Text& poisson_text) {
   const std::string young_name = "--E" + which, poisson_name = "--nu" + which;
   if (!young_text || !poisson_text) {
-    throw Error((young_text ? poisson_name : young_name) + " is missing, " + young_name + " and " + poisson_name +
-                " go together");
+    throw Error(young_text ? poisson_name : young_name, " is missing, ", young_name, " and ", poisson_name, " go together");
   }
   const double young = read_positive(young_name, *young_text, Dimension::pressure).si();
   const double poisson = finite_number(poisson_name, *poisson_text);
-  if (!(poisson > -1 && poisson <= 0.5)) throw Error(poisson_name + ": " + in_quotes(*poisson_text) + " is not in (-1, 0.5]");
+  if (!(poisson > -1 && poisson <= 0.5)) throw Error(poisson_name, ": ", in_quotes(*poisson_text), " is not in (-1, 0.5]");
   return young / (1 - poisson * poisson);
 }
 
@@ -56,12 +55,12 @@ void set_targets(const SolveArguments& arguments, double unit, Problem& problem)
 
   for (const auto& [name, text, dimension, alone] : controls) {
     if (!text) continue;
-    if (!problem.control.empty()) throw Error("give only one of --" + problem.control + " and --" + name);
+    if (!problem.control.empty()) throw Error("give only one of --", problem.control, " and --", name);
     problem.control = name;
     problem.targets = parse_targets("--" + problem.control, *text, dimension, alone);
   }
   if (problem.control == "area" && std::ranges::max(problem.targets) > 1)
-    throw Error("--area: " + in_quotes(*arguments.area) + " is more than the whole, give a share as 10% or 0.1");
+    throw Error("--area: ", in_quotes(*arguments.area), " is more than the whole, give a share as 10% or 0.1");
   if (problem.control.empty()) throw Error("what to press with is missing, give --approach, --load or --pressure");
 }
 
@@ -77,8 +76,7 @@ void set_options(const SolveArguments& arguments, Problem& problem) {
   }
   for (const std::string& assignment : arguments.set) {
     const auto equals = assignment.find('=');
-    if (equals == std::string::npos || equals == 0)
-      throw Error("--set: " + in_quotes(assignment) + " has not the form key=value");
+    if (equals == std::string::npos || equals == 0) throw Error("--set: ", in_quotes(assignment), " has not the form key=value");
     problem.options.emplace_back(assignment.substr(0, equals), assignment.substr(equals + 1));
   }
 }

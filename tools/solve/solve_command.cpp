@@ -7,13 +7,12 @@
 #include <string_view>
 #include <utility>
 
-#include "error.h"
 #include "files/step_files.h"
 #include "files/step_writers.h"
+#include "formats/error.h"
 #include "library.h"
 #include "platform/terminal.h"
 #include "solve/conclusion.h"
-#include "solve/cores.h"
 #include "solve/interrupt.h"
 #include "solve/progress_bar.h"
 #include "solve/step_record.h"
@@ -70,7 +69,7 @@ void check_output(const SolveArguments& arguments) {
                                                {arguments.write.has_value(), "--write puts its files into the folder of --out"},
                                                {arguments.no_maps, "--no-maps is about the folder of --out"}};
   for (const auto& [used, what] : uses) {
-    if (used && !arguments.out) throw Error(std::string(what) + ", which is missing");
+    if (used && !arguments.out) throw Error(what, ", which is missing");
   }
   if (!arguments.no_maps) return;
   if (arguments.write) throw Error("give either --write or --no-maps, not both");

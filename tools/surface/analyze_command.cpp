@@ -6,14 +6,14 @@
 #include <filesystem>
 
 #include "arguments/quantities.h"
-#include "error.h"
 #include "files/json_text.h"
 #include "files/whole_file.h"
-#include "numbers.h"
+#include "formats/error.h"
+#include "formats/numbers.h"
+#include "library.h"
 #include "pictures/spectrum.h"
 #include "platform/files.h"
 #include "surface/analysis.h"
-#include "surface/library.h"
 #include "text.h"
 #include "units.h"
 
@@ -26,7 +26,7 @@ constexpr std::int64_t usual_levels = 4;  // from 256 to 16 points a side, as in
 std::int64_t halvings(const Surface& surface, const std::optional<std::string>& text) {
   if (text) {
     const auto levels = to_integer(*text);
-    if (!levels || *levels < 1 || *levels > 60) throw Error("--levels: " + in_quotes(*text) + " is not a whole number from 1 on");
+    if (!levels || *levels < 1 || *levels > 60) throw Error("--levels: ", in_quotes(*text), " is not a whole number from 1 on");
     return *levels;
   }
   std::int64_t levels = 0;
@@ -49,7 +49,7 @@ void refuse_flat(const Analysis& a) {
   const std::vector<double>& z = a.input.surface.heights;
   const bool level = std::ranges::all_of(z, [&z](double height) { return height == z.front(); });
   const char* const after = level ? "" : a.periodic ? " after its mean is removed" : " after its plane is removed";
-  throw Error(a.input.file + ": the map is flat" + after + ": it has no roughness to judge");
+  throw Error(a.input.file, ": the map is flat", after, ": it has no roughness to judge");
 }
 
 Analysis make_analysis(const AnalyzeArguments& arguments) {
@@ -60,11 +60,7 @@ Analysis make_analysis(const AnalyzeArguments& arguments) {
   a.input = read_input(arguments.surface, false);
   a.periodic = arguments.periodic || a.input.surface.periodic.value_or(false);
 
-  rc_surface_map map = RC_SURFACE_MAP_INIT;
-  map.nx = a.input.surface.nx;
-  map.ny = a.input.surface.ny;
-  map.hx = *a.input.surface.hx;
-  map.hy = *a.input.surface.hy;
+  auto map = on_grid(a.input.surface, rc_surface_map RC_SURFACE_MAP_INIT);
   map.heights = a.input.surface.heights.data();
   map.periodic = a.periodic ? 1 : 0;
   a.statistics = RC_SURFACE_STATISTICS_INIT;

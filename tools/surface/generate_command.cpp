@@ -5,16 +5,15 @@
 #include <cmath>
 #include <filesystem>
 
-#include "arguments/lengths.h"
 #include "arguments/quantities.h"
-#include "error.h"
-#include "files/gsf_writer.h"
-#include "files/npy_writer.h"
+#include "files/array_files.h"
 #include "files/whole_file.h"
-#include "numbers.h"
+#include "formats/error.h"
+#include "formats/numbers.h"
+#include "formats/surface.h"
+#include "library.h"
 #include "platform/files.h"
-#include "surface/library.h"
-#include "surface/surface.h"
+#include "surface/input.h"
 #include "text.h"
 
 namespace cli {
@@ -25,8 +24,7 @@ using Text = std::optional<std::string>;
 
 std::int64_t whole_number(std::string_view option, std::string_view text, std::int64_t least) {
   const auto value = to_integer(text);
-  if (!value || *value < least)
-    throw Error(std::string(option) + ": " + in_quotes(text) + " is not a whole number from " + std::to_string(least) + " on");
+  if (!value || *value < least) throw Error(option, ": ", in_quotes(text), " is not a whole number from ", least, " on");
   return *value;
 }
 
@@ -44,7 +42,7 @@ double length_or(const char* option, const Text& text, double unit, double other
 }
 
 double length_needed(const char* option, const Text& text, double unit) {
-  if (!text) throw Error(std::string(option) + " is missing");
+  if (!text) throw Error(option, " is missing");
   return length_or(option, text, unit, 0);
 }
 
@@ -64,7 +62,7 @@ Surface empty_surface(const GenerateArguments& arguments, double unit) {
   surface.hx = pitch ? pitch->x.in(unit) : 1;
   surface.hy = pitch ? pitch->y.in(unit) : 1;
   const auto sizes = split(arguments.size ? std::string_view(*arguments.size) : "256", ',');
-  if (sizes.size() > 2) throw Error("--size: " + in_quotes(*arguments.size) + " has more than two numbers, give N or NX,NY");
+  if (sizes.size() > 2) throw Error("--size: ", in_quotes(*arguments.size), " has more than two numbers, give N or NX,NY");
   surface.nx = whole_number("--size", sizes.front(), 1);
   surface.ny = whole_number("--size", sizes.back(), 1);
   return surface;
@@ -72,9 +70,7 @@ Surface empty_surface(const GenerateArguments& arguments, double unit) {
 
 double* make_room(Surface& surface) {
   constexpr std::int64_t most = std::int64_t{1} << 32;
-  if (surface.nx > most / surface.ny)
-    throw Error(format("--size: %lld x %lld points are more than 2^32", static_cast<long long>(surface.nx),
-                       static_cast<long long>(surface.ny)));
+  if (surface.nx > most / surface.ny) throw Error("--size: ", surface.nx, " x ", surface.ny, " points are more than 2^32");
   surface.heights.resize(static_cast<std::size_t>(surface.nx * surface.ny));
   return surface.heights.data();
 }
@@ -83,10 +79,9 @@ Surface midpoint_displacement(const GenerateArguments& arguments, double unit) {
   rc_surface_rmd_spec spec = RC_SURFACE_RMD_SPEC_INIT;
   spec.seed = seed(arguments);
   const std::int64_t levels = whole_or("--levels", arguments.levels, 1, spec.levels);
-  if (levels > 14) throw Error("--levels: " + std::to_string(levels) + " is more than 14");
+  if (levels > 14) throw Error("--levels: ", levels, " is more than 14");
   const std::int64_t stage = whole_or("--stage", arguments.stage, 0, levels);
-  if (stage > levels)
-    throw Error("--stage: " + std::to_string(stage) + " is more than the number of levels, " + std::to_string(levels));
+  if (stage > levels) throw Error("--stage: ", stage, " is more than the number of levels, ", levels);
   spec.levels = static_cast<int32_t>(levels);
   spec.additions = arguments.additions ? 1 : 0;
   spec.hurst = number_or("--hurst", arguments.hurst, spec.hurst);
@@ -105,12 +100,8 @@ Surface midpoint_displacement(const GenerateArguments& arguments, double unit) {
 Surface self_affine(const GenerateArguments& arguments, double unit) {
   Surface surface = empty_surface(arguments, unit);
   if (arguments.rms_height && arguments.rms_slope) throw Error("give only one of --rms-height and --rms-slope");
-  rc_surface_spectral_spec spec = RC_SURFACE_SPECTRAL_SPEC_INIT;
+  auto spec = on_grid(surface, rc_surface_spectral_spec RC_SURFACE_SPECTRAL_SPEC_INIT);
   spec.seed = seed(arguments);
-  spec.nx = surface.nx;
-  spec.ny = surface.ny;
-  spec.hx = *surface.hx;
-  spec.hy = *surface.hy;
   spec.hurst = number_or("--hurst", arguments.hurst, spec.hurst);
   spec.q_low = wave_number("--longest", arguments.longest, unit);
   spec.q_rolloff = wave_number("--rolloff", arguments.roll_off, unit);
@@ -125,12 +116,8 @@ Surface self_affine(const GenerateArguments& arguments, double unit) {
 
 Surface shape(const std::string& kind, const GenerateArguments& arguments, double unit) {
   Surface surface = empty_surface(arguments, unit);
-  rc_surface_shape_spec spec = RC_SURFACE_SHAPE_SPEC_INIT;
+  auto spec = on_grid(surface, rc_surface_shape_spec RC_SURFACE_SHAPE_SPEC_INIT);
   spec.seed = seed(arguments);
-  spec.nx = surface.nx;
-  spec.ny = surface.ny;
-  spec.hx = *surface.hx;
-  spec.hy = *surface.hy;
   if (kind == "sphere") {
     spec.shape = arguments.paraboloid ? RC_SURFACE_PARABOLOID : RC_SURFACE_SPHERE;
     spec.radius = length_needed("--radius", arguments.radius, unit);
@@ -143,11 +130,11 @@ Surface shape(const std::string& kind, const GenerateArguments& arguments, doubl
     if (!arguments.period) throw Error("--period is missing");
     const auto periods = split(*arguments.period, ',');
     if (periods.size() > 2)
-      throw Error("--period: " + in_quotes(*arguments.period) + " has more than two numbers, give P or PX,PY");
+      throw Error("--period: ", in_quotes(*arguments.period), " has more than two numbers, give P or PX,PY");
     const auto lengths = read_quantities("--period", periods, Dimension::length, unit);
     spec.period_x = lengths.front().in(unit);
     spec.period_y = lengths.back().in(unit);
-    if (spec.period_x < 0 || spec.period_y < 0) throw Error("--period: " + in_quotes(*arguments.period) + " is negative");
+    if (spec.period_x < 0 || spec.period_y < 0) throw Error("--period: ", in_quotes(*arguments.period), " is negative");
   }
   surface.periodic = kind != "sphere";
   check_surface(rc_surface_shape(&spec, make_room(surface)));
@@ -161,7 +148,7 @@ void generate(const std::string& kind, const GenerateArguments& arguments) {
   const std::filesystem::path path = rc_platform::path_of(arguments.output);
   const std::string extension = path.extension().string();
   if (extension != ".npy" && extension != ".gsf")
-    throw Error("--output: " + in_quotes(arguments.output) + " must end in .npy or .gsf");
+    throw Error("--output: ", in_quotes(arguments.output), " must end in .npy or .gsf");
 
   Surface surface = kind == "rmd"        ? midpoint_displacement(arguments, unit)
                     : kind == "spectral" ? self_affine(arguments, unit)

@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "arguments/choices.h"
-#include "arguments/lengths.h"
-#include "error.h"
+#include "arguments/quantities.h"
+#include "formats/error.h"
 #include "formats/form.h"
 #include "formats/missing.h"
 #include "formats/registry.h"
@@ -30,10 +30,9 @@ void check_format(std::string_view name) {
 // Counts the missing points and says what can be done.
 [[noreturn]] void reject_missing(const Surface& surface, std::int64_t count, bool can_exclude) {
   const auto first = std::ranges::find_if(surface.heights, [](double z) { return std::isnan(z); }) - surface.heights.begin();
-  throw Error(format("%lld missing value%s of %zu, first at ix=%lld, iy=%lld; give --missing fill to interpolate%s",
-                     static_cast<long long>(count), count == 1 ? "" : "s", surface.heights.size(),
-                     static_cast<long long>(first % surface.nx), static_cast<long long>(first / surface.nx),
-                     can_exclude ? " or --missing exclude to keep them out of contact" : ""));
+  throw Error(count, " missing value", count == 1 ? "" : "s", " of ", surface.heights.size(),
+              ", first at ix=", first % surface.nx, ", iy=", first / surface.nx, "; give --missing fill to interpolate",
+              can_exclude ? " or --missing exclude to keep them out of contact" : "");
 }
 
 void settle_missing(MissingRule rule, bool can_exclude, SurfaceInput& input) {
@@ -66,8 +65,8 @@ void add_other(const SurfaceArguments& arguments, double unit, SurfaceInput& inp
       return format("%lld x %lld points, pitch %s x %s", static_cast<long long>(nx), static_cast<long long>(ny),
                     with_prefix(x, "m", 7).c_str(), with_prefix(y, "m", 7).c_str());
     };
-    throw Error("--against: " + input.against + " has " + grid(other.nx, other.ny, hx, hy) + ", " + input.file + " has " +
-                grid(surface.nx, surface.ny, *surface.hx, *surface.hy) + ": give two maps on the same grid");
+    throw Error("--against: ", input.against, " has ", grid(other.nx, other.ny, hx, hy), ", ", input.file, " has ",
+                grid(surface.nx, surface.ny, *surface.hx, *surface.hy), ": give two maps on the same grid");
   }
   for (std::size_t i = 0; i < surface.heights.size(); ++i) surface.heights[i] += other.heights[i];
 }
@@ -118,7 +117,7 @@ SurfaceInput read_input(const SurfaceArguments& arguments, bool can_exclude) {
     settle_missing(rule, can_exclude, input);
     if (shape) add_shape(*shape, input.surface);
   } catch (const Error& error) {
-    throw Error(input.file + ": " + error.what());
+    throw Error(input.file, ": ", error.what());
   }
   return input;
 }

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "surface/surface.h"
+#include "formats/surface.h"
 
 namespace cli {
 
@@ -21,7 +21,7 @@ struct SurfaceArguments {
 
 struct SurfaceInput {
   std::string file;
-  Surface surface;                 // with its pitch; excluded points have the height NaN
+  rc::formats::Surface surface;    // with its pitch; excluded points have the height NaN
   std::string against;             // file of the other body's heights, which were added; "" if it is flat
   std::string shape;               // that was added, as given; "" if none
   std::string removed;             // "none", "mean", "plane" or "quadric"
@@ -34,6 +34,15 @@ struct SurfaceInput {
   // nothing.
   std::string preparation() const;
 };
+
+// A struct of the surface library with the grid of a surface.
+template <class Struct> Struct on_grid(const rc::formats::Surface& surface, Struct made) {
+  made.nx = surface.nx;
+  made.ny = surface.ny;
+  made.hx = *surface.hx;
+  made.hy = *surface.hy;
+  return made;
+}
 
 // Metres per --unit.
 double unit_of(const SurfaceArguments& arguments);

@@ -5,8 +5,8 @@
 
 #include "arguments/choices.h"
 #include "arguments/quantities.h"
-#include "error.h"
-#include "numbers.h"
+#include "formats/error.h"
+#include "formats/numbers.h"
 #include "text.h"
 
 namespace cli {
@@ -18,9 +18,9 @@ constexpr const char* forms = "give sphere:R=1mm, cylinder:R=1mm,axis=x or wedge
 constexpr std::string_view round_keys[] = {"R", "axis"}, wedge_keys[] = {"angle", "axis"}, axes[] = {"x", "y"};
 
 double flank_angle(std::string_view text) {
-  if (to_number(text)) throw Error("--shape: angle " + in_quotes(text) + " has no unit, give deg or rad");
+  if (to_number(text)) throw Error("--shape: angle ", in_quotes(text), " has no unit, give deg or rad");
   const double angle = read_positive("--shape: angle", text, Dimension::angle).si();
-  if (!(angle < 3.14159265358979323846 / 2)) throw Error("--shape: angle " + in_quotes(text) + " is not below 90deg");
+  if (!(angle < 3.14159265358979323846 / 2)) throw Error("--shape: angle ", in_quotes(text), " is not below 90deg");
   return angle;
 }
 
@@ -28,8 +28,8 @@ double flank_angle(std::string_view text) {
 double depth(double radius, double square) {
   const double below = radius * radius - square;
   if (below < 0)
-    throw Error("--shape: the surface reaches " + with_prefix(std::sqrt(square), "m") +
-                " from its middle, beyond R = " + with_prefix(radius, "m"));
+    throw Error("--shape: the surface reaches ", with_prefix(std::sqrt(square), "m"),
+                " from its middle, beyond R = ", with_prefix(radius, "m"));
   return square / (radius + std::sqrt(below));
 }
 
@@ -40,10 +40,10 @@ Shape parse_shape(std::string_view text, double unit) {
   Shape shape;
   shape.name = shape_names[choice("--shape", text.substr(0, colon), shape_names)];
   const bool wedge = shape.name == "wedge";
-  if (colon == std::string_view::npos) throw Error("--shape: " + in_quotes(text) + " has no size, " + forms);
+  if (colon == std::string_view::npos) throw Error("--shape: ", in_quotes(text), " has no size, ", forms);
   for (const std::string_view setting : split(text.substr(colon + 1), ',')) {
     const auto equals = setting.find('=');
-    if (equals == std::string_view::npos) throw Error("--shape: " + in_quotes(setting) + " has not the form key=value, " + forms);
+    if (equals == std::string_view::npos) throw Error("--shape: ", in_quotes(setting), " has not the form key=value, ", forms);
     const std::string_view key = setting.substr(0, equals), value = setting.substr(equals + 1);
     if (wedge) {
       choice("--shape", key, wedge_keys);
@@ -55,7 +55,7 @@ Shape parse_shape(std::string_view text, double unit) {
     if (key == "axis" && shape.name == "sphere") throw Error("--shape: a sphere has no axis");
     if (key == "axis") shape.along_x = choice("--shape: axis", value, axes) == 0;
   }
-  if (!((wedge ? shape.angle : shape.radius) > 0)) throw Error("--shape: " + in_quotes(text) + " has no size, " + forms);
+  if (!((wedge ? shape.angle : shape.radius) > 0)) throw Error("--shape: ", in_quotes(text), " has no size, ", forms);
   return shape;
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "surface/surface.h"
+#include "formats/surface.h"
 
 namespace cli {
 
@@ -22,6 +22,6 @@ struct Shape {
 Shape parse_shape(std::string_view text, double unit);
 
 // Adds the shape to all heights. Throws an Error if the surface reaches beyond the sphere or cylinder.
-void add_shape(const Shape& shape, Surface& surface);
+void add_shape(const Shape& shape, rc::formats::Surface& surface);
 
 }  // namespace cli

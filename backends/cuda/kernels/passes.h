@@ -9,6 +9,8 @@ namespace rc_cuda {
 // Of a cell.
 constexpr std::uint8_t in_free_set = 1, is_unknown = 2;
 
+RC_ANYWHERE inline double bounded(double p, double cap) { return rc::smaller_of(rc::larger_of(0.0, p), cap); }
+
 struct Begin {
   const double* u;
   double* p;
@@ -20,7 +22,7 @@ struct Begin {
       return {};
     }
     state[i] = in_free_set | is_unknown;
-    p[i] = p[i] >= nearly ? cap : p[i] > 0 ? p[i] : 0;
+    p[i] = p[i] >= nearly ? cap : bounded(p[i], cap);
     return {u[i], p[i] > 0};
   }
 };
@@ -37,10 +39,7 @@ struct Multiply {
 // Pressures in another unit, from 0 to the cap.
 struct Convert {
   double *p, by, cap;
-  RC_ANYWHERE void operator()(Index i) const {
-    const double value = p[i] * by;
-    p[i] = value > 0 ? (value < cap ? value : cap) : 0;
-  }
+  RC_ANYWHERE void operator()(Index i) const { p[i] = bounded(p[i] * by, cap); }
 };
 
 // Pressures [force/length^2] over a box of a grid, 0 beyond it; null: none.
@@ -63,8 +62,7 @@ struct Restart {
     const Place place = place_of(i, nx);
     double value = last.at(x + place.column, y + place.row);
     if (ahead != 0) value += ahead * (value - before.at(x + place.column, y + place.row));
-    const double start = value / unit > 0 ? value / unit : 0;
-    p[i] = start < cap ? start : cap;
+    p[i] = bounded(value / unit, cap);
   }
 };
 
@@ -139,7 +137,7 @@ template <class R> struct Cut {
   double cap;
   RC_ANYWHERE Any operator()(Index i) const {
     advance(i);
-    const double next = advance.p[i], kept = next > 0 ? (next < cap ? next : cap) : 0;
+    const double next = advance.p[i], kept = bounded(next, cap);
     advance.p[i] = kept;
     z[i] = static_cast<R>(kept - next);
     return {z[i] != 0};

@@ -1,10 +1,16 @@
-// The trees of haar-cg as functions of a block's index, in single precision; src/solvers/haar_cg/plain/tree.h explains them. They
-// compute what solvers/haar_cg/threads/tree_loops.inc does for eight blocks at a time.
+// The trees of haar-cg as functions of a block's index, in single precision; src/solvers/haar_cg/plain/tree.h explains them.
 #pragma once
 
 #include "kernels/passes.h"
+#include "solvers/haar_cg/tree/tree_shape.h"
 
 namespace rc_cuda {
+
+RC_ANYWHERE inline int integers(float value) { return static_cast<int>(value); }
+RC_ANYWHERE inline float numbers(int value) { return static_cast<float>(value); }
+#define RC_ALGEBRA RC_ANYWHERE inline
+#include "solvers/haar_cg/tree/algebra.inc"
+#undef RC_ALGEBRA
 
 struct Level {
   Index mx, my;                               // cells
@@ -12,7 +18,7 @@ struct Level {
   int shift_x, shift_y;                       // 1: the blocks begin one cell earlier
   int around_x, around_y;                     // 1: the first of them begins with the last cell
   Index columns, rows;                        // of blocks
-  float x, y, xy;                             // couplings of neighbours
+  rc::HaarCouplings coupling;                 // of neighbours
   float *child = nullptr, *parent = nullptr;  // values of cells and blocks; the finest level has no child
   struct Shares* shares = nullptr;            // not on the finest level
   struct Details* details = nullptr;
@@ -20,23 +26,18 @@ struct Level {
   RC_ANYWHERE Index blocks() const { return columns * rows; }
 };
 
-// Shares in units of 2^-14; couplings of the differences between the children 01 02 03 12 13 23, as the upper halves of floats.
+// As tree/algebra.inc stores them.
 struct alignas(8) Shares {
   std::int16_t w[4];
 };
 struct alignas(4) Details {
   std::uint16_t m[6];
 };
-struct Solved {
-  float w[4], m[6];
-};
 // The finest level, for the 16 patterns of cells in the free set.
 struct Patterns {
-  Solved of[16];
+  Solved<float> of[16];
   float above[16];
 };
-
-constexpr float unit_share = 16384;
 
 RC_ANYWHERE inline float float_of(std::uint32_t bits) {
   float value;
@@ -48,7 +49,6 @@ RC_ANYWHERE inline std::uint32_t bits_of(float value) {
   __builtin_memcpy(&bits, &value, sizeof bits);
   return bits;
 }
-RC_ANYWHERE inline float at_least(float value) { return value > 1e-12F ? value : 1e-12F; }
 
 // Where a block's child is among the level's cells; -1: there is none.
 RC_ANYWHERE inline Index child_of(const Level& l, Index column, Index row, int c) {
@@ -77,66 +77,18 @@ RC_ANYWHERE inline int pattern_of(const Children& c, const std::uint8_t* state) 
   return pattern;
 }
 
-// A = L D L' holds the couplings of the children, with rows of the identity for those off the free set, where a is 0. Returns 1/s
-// with s = 1' A^-1 1; w = A^-1 1 / s, and m: half of A^-1 - s w w' off its diagonal, which suffices because its rows add up to 0.
-RC_ANYWHERE inline float solved(const Level& l, const float* a, Solved& out) {
-  constexpr int from[6] = {0, 0, 0, 1, 1, 2}, to[6] = {1, 2, 3, 2, 3, 3};
-  float in[4], off[6];
-  for (int i = 0; i < 4; ++i) in[i] = a[i] > 0 ? 1.0F : 0.0F;
-  const float between[6] = {l.x, l.y, l.xy, l.xy, l.y, l.x};
-  for (int i = 0; i < 6; ++i) off[i] = between[i] * (in[from[i]] * in[to[i]]);
-  const float e0 = 1 / at_least(a[0] + (1 - in[0]));
-  const float l10 = off[0] * e0, l20 = off[1] * e0, l30 = off[2] * e0;
-  const float e1 = 1 / at_least(a[1] + (1 - in[1]) - l10 * off[0]);
-  const float c21 = off[3] - l10 * off[1], c31 = off[4] - l10 * off[2], l21 = c21 * e1, l31 = c31 * e1;
-  const float e2 = 1 / at_least(a[2] + (1 - in[2]) - l20 * off[1] - l21 * c21);
-  const float c32 = off[5] - l20 * off[2] - l21 * c31, l32 = c32 * e2;
-  const float e3 = 1 / at_least(a[3] + (1 - in[3]) - l30 * off[2] - l31 * c31 - l32 * c32);
-  // n: L^-1 below its unit diagonal.
-  const float n10 = -l10, n21 = -l21, n32 = -l32, n20 = -(l20 + l21 * n10), n31 = -(l31 + l32 * n21),
-              n30 = -(l30 + l31 * n10 + l32 * n20);
-  const float f31 = n31 * e3, f30 = n30 * e3, f32 = n32 * e3, f20 = n20 * e2, f21 = n21 * e2;
-  const float inverse[6] = {n10 * e1 + n20 * f21 + n30 * f31, f20 + n30 * f32, f30, f21 + n31 * f32, f31, f32};
-  const float d[4] = {e0 + n10 * n10 * e1 + n20 * f20 + n30 * f30, e1 + n21 * f21 + n31 * f31, e2 + n32 * f32, e3};
-  const float rows[4] = {
-      in[0] * ((d[0] + inverse[0]) + (inverse[1] + inverse[2])), in[1] * ((inverse[0] + d[1]) + (inverse[3] + inverse[4])),
-      in[2] * ((inverse[1] + inverse[3]) + (d[2] + inverse[5])), in[3] * ((inverse[2] + inverse[4]) + (inverse[5] + d[3]))};
-  const float sum = (rows[0] + rows[1]) + (rows[2] + rows[3]), above = sum > 0 ? 1 / sum : 0;
-  for (int i = 0; i < 4; ++i) out.w[i] = rows[i] * above;
-  for (int i = 0; i < 6; ++i) out.m[i] = 0.5F * (in[from[i]] * in[to[i]]) * (inverse[i] - rows[from[i]] * out.w[to[i]]);
-  return above;
-}
-
-RC_ANYWHERE inline void pack(const Solved& c, Shares& shares, Details& details) {
-  for (int i = 0; i < 4; ++i) {
-    const float scaled = c.w[i] * unit_share + 0.5F, kept = scaled > 32767 ? 32767 : scaled > -32767 ? scaled : -32767;
-    const int cut = static_cast<int>(kept);
-    shares.w[i] = static_cast<std::int16_t>(cut - (kept < static_cast<float>(cut) ? 1 : 0));
-  }
-  for (int i = 0; i < 6; ++i) details.m[i] = static_cast<std::uint16_t>((bits_of(c.m[i]) + 0x8000U) >> 16);
+RC_ANYWHERE inline void pack(const Solved<float>& c, Shares& shares, Details& details) {
+  for (int i = 0; i < 4; ++i) shares.w[i] = static_cast<std::int16_t>(stored_share(c.w[i]));
+  for (int i = 0; i < 6; ++i) details.m[i] = static_cast<std::uint16_t>(stored_half(bits_of(c.m[i])));
 }
 RC_ANYWHERE inline void unpack(const Shares& shares, float* w) {
-  for (int i = 0; i < 4; ++i) w[i] = static_cast<float>(shares.w[i]) * (1 / unit_share);
+  for (int i = 0; i < 4; ++i) w[i] = share_of(static_cast<int>(shares.w[i]));
 }
-RC_ANYWHERE inline Solved unpacked(const Shares& shares, const Details& details) {
-  Solved c;
+RC_ANYWHERE inline Solved<float> unpacked(const Shares& shares, const Details& details) {
+  Solved<float> c;
   unpack(shares, c.w);
   for (int i = 0; i < 6; ++i) c.m[i] = float_of(static_cast<std::uint32_t>(details.m[i]) << 16);
   return c;
-}
-
-RC_ANYWHERE inline float lifted(const float* w, const float* g) {
-  return (w[0] * g[0] + w[1] * g[1]) + (w[2] * g[2] + w[3] * g[3]);
-}
-// The pressures of the children from their loads and the block's pressure.
-RC_ANYWHERE inline void lowered(const Solved& c, const float* g, float pressure, float* z) {
-  const float *const w = c.w, *const m = c.m;
-  const float d01 = m[0] * (g[1] - g[0]), d02 = m[1] * (g[2] - g[0]), d03 = m[2] * (g[3] - g[0]), d12 = m[3] * (g[2] - g[1]),
-              d13 = m[4] * (g[3] - g[1]), d23 = m[5] * (g[3] - g[2]);
-  z[0] = (d01 + d02) + (d03 + w[0] * pressure);
-  z[1] = (d12 + d13) + (w[1] * pressure - d01);
-  z[2] = (d23 - d02) + (w[2] * pressure - d12);
-  z[3] = (w[3] * pressure - d03) - (d13 + d23);
 }
 
 struct SolveFinest {
@@ -161,8 +113,8 @@ struct Solve {
   RC_ANYWHERE void operator()(const Level& l, Index block) const {
     float self[4];
     gather(children_of(l, block), l.child, self);
-    Solved c;
-    l.parent[block] = solved(l, self, c);
+    Solved<float> c;
+    l.parent[block] = solved(l.coupling, self, c);
     pack(c, l.shares[block], l.details[block]);
   }
 };

@@ -1,4 +1,4 @@
-// Memory on the device that is given back where it goes out of scope.
+// Memory on the device.
 #pragma once
 
 #include <cstddef>
@@ -8,6 +8,7 @@
 
 namespace rc_cuda {
 
+// It is given back at the end of its scope.
 class Memory {
  public:
   Memory() = default;
@@ -34,6 +35,22 @@ class Memory {
 
   void* at_ = nullptr;
   std::size_t bytes_ = 0;
+};
+
+// Lays out one array after the other; without memory it counts their bytes.
+class Layout {
+ public:
+  explicit Layout(unsigned char* memory) : memory_(memory) {}
+  template <class T> T* next(std::size_t count) {
+    T* const at = memory_ ? reinterpret_cast<T*>(memory_ + used_) : nullptr;
+    used_ += rounded(count * sizeof(T));
+    return at;
+  }
+  std::size_t used() const { return used_; }
+
+ private:
+  unsigned char* memory_;
+  std::size_t used_ = 0;
 };
 
 }  // namespace rc_cuda

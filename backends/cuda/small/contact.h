@@ -130,7 +130,7 @@ template <class R> class SmallContact {
     task.load = load / unit;
     task.cap = cap;
     if (!c_.by_load) task.tol *= scale / depth;
-    if (c_.by_load && c_.periodic) task.least_scale = 0.25 * task.load / static_cast<double>(heights_.included);
+    if (c_.by_load && c_.periodic) task.least_scale = rc::least_scale_under(task.load, static_cast<double>(heights_.included));
     M machine(place_, n_, cap, m_, trees_);
     block_.keep_in_memory(machine);
     const Poll poll{c_.most_iterations, &answer.iterations};
@@ -157,38 +157,31 @@ template <class R> class SmallContact {
     answer.compression = compression;
   }
 
-  // That of contact/step/target.h.
   constexpr double scale_of(double compression, double load) const {
-    if (!c_.periodic) return compression;
-    if (c_.by_load) return rc::periodic_scale_by_load(compression, c_.least_deflection * load / static_cast<double>(n_));
-    const double mean_gap = mean_height_ > compression ? mean_height_ - compression : compression - mean_height_;
-    return heights_.included == n_ ? rc::periodic_scale_by_approach(compression, mean_gap, c_.tol) : compression;
+    const double deflected = c_.least_deflection * (load / static_cast<double>(n_));
+    return rc::residual_scale({c_.periodic, c_.by_load, heights_.included == n_, deflected, mean_height_, c_.tol}, compression);
   }
 
-  // Above the lowest gap, about where all contact is under this load: that of a bed of springs, as in
-  // contact/step/by_load.cpp.
+  // The height above the lowest gap of a bed of springs that carries the load, by bisection.
   RC_CALLED constexpr double height_of(double load) {
-    constexpr double margin = 1.05, close = 0.02;
-    const double wanted = load * c_.length_per_pressure, n = static_cast<double>(heights_.included);
-    const double all = wanted / std::sqrt(n) + mean_height_;  // if every point bears
+    const double wanted = load * c_.length_per_pressure;
+    const double all = rc::full_bed_height(wanted, static_cast<double>(heights_.included), mean_height_);
     double low = 0, high = heights_.highest - heights_.lowest;
-    if (all >= high) return margin * all;
-    for (int k = 0; k < 60 && high - low > close * high; ++k) {
+    if (all >= high) return rc::bed_margin * all;
+    for (int k = 0; k < 60 && high - low > rc::bed_resolution * high; ++k) {
       const double middle = 0.5 * (low + high);
       const Below below = block_.template reduce<Below>(n_, LookBelow{gap_, m_.state, heights_.lowest, middle});
-      const bool reached = below.points > 0 && middle * below.points - below.heights >= wanted * std::sqrt(below.points);
-      (reached ? high : low) = middle;
+      (rc::bed_carries(wanted, middle, below.points, below.heights) ? high : low) = middle;
     }
-    return margin * high;
+    return rc::bed_margin * high;
   }
 
-  // Without pressures; by load with some that carry it, as solvers/haar_cg/starts.cpp has them.
+  // Without pressures; by load with some that carry it.
   RC_CALLED constexpr void begin(double load, double cap) {
-    constexpr double many = 0.25;
     if (!c_.by_load) return block_.each(n_, Fill<double>{m_.p, 0});
     const Grown all = block_.template reduce<Grown>(n_, Grow{m_.u, m_.p, m_.state});
     const double n = static_cast<double>(heights_.included);
-    if (all.within > many * n || all.most * load >= cap * all.sum)
+    if (rc::starts_everywhere(all.within, n, all.most, all.sum, load, cap))
       block_.each(n_, Even{m_.p, load / n, m_.state});
     else
       block_.each(n_, Multiply{m_.p, load / all.sum, cap, false});

@@ -15,34 +15,29 @@ namespace rc_cuda {
 
 namespace {
 
-// The arrays of a call on the device, one after the other; without memory it counts their bytes.
+// The arrays of a call on the device. Without memory `bytes` alone has a meaning.
 class Arrays {
  public:
-  Arrays(const rc_many& many, Index contacts, unsigned char* memory) : memory_(memory) {
+  Arrays(const rc_many& many, Index contacts, unsigned char* memory) {
     const Index points = many.grid->nx * many.grid->ny;
-    const auto of_all = [&](Index stride) { return stride == 0 ? points : contacts * points; };
-    next(gaps, of_all(many.undeformed_gap_stride));
-    next(masks, many.mask ? of_all(many.mask_stride) : 0);
-    next(targets, many.target_stride == 0 ? many.steps : contacts * many.steps);
-    next(starts, many.p0 ? contacts * points : 0);
-    next(pressures, contacts * many.steps * points);
-    next(answers, contacts * many.steps);
-    next(taken, 1);
+    const auto of_all = [&](Index stride) { return static_cast<std::size_t>(stride == 0 ? points : contacts * points); };
+    const auto slots = static_cast<std::size_t>(contacts * many.steps);
+    Layout layout(memory);
+    gaps = layout.next<double>(of_all(many.undeformed_gap_stride));
+    if (many.mask) masks = layout.next<std::uint8_t>(of_all(many.mask_stride));
+    targets = layout.next<double>(many.target_stride == 0 ? static_cast<std::size_t>(many.steps) : slots);
+    if (many.p0) starts = layout.next<double>(static_cast<std::size_t>(contacts * points));
+    pressures = layout.next<double>(slots * static_cast<std::size_t>(points));
+    answers = layout.next<rc_many_answer>(slots);
+    taken = layout.next<unsigned>(1);
+    bytes = layout.used();
   }
-  std::size_t bytes() const { return bytes_; }
 
-  double *gaps = nullptr, *targets = nullptr, *starts = nullptr, *pressures = nullptr;
+  double *gaps, *targets, *starts = nullptr, *pressures;
   std::uint8_t* masks = nullptr;
-  rc_many_answer* answers = nullptr;
-  unsigned* taken = nullptr;
-
- private:
-  template <class T> void next(T*& to, Index count) {
-    if (count > 0 && memory_) to = reinterpret_cast<T*>(memory_ + bytes_);
-    bytes_ += rounded(static_cast<std::size_t>(count) * sizeof(T));
-  }
-  unsigned char* memory_;
-  std::size_t bytes_ = 0;
+  rc_many_answer* answers;
+  unsigned* taken;
+  std::size_t bytes;
 };
 
 // contacts rows of `count` values, `stride` apart; 0: one for all.
@@ -103,7 +98,7 @@ template <class R> void solve(const rc_host* host, rc_many& many, const rc_optio
   using Work = SmallContacts<R>;
   const Index at_a_time = device.blocks_at_a_time<Work>(shared);
   const auto needed = [&](Index contacts) {
-    return Arrays(many, contacts, nullptr).bytes() + rounded(trees.bytes()) +
+    return Arrays(many, contacts, nullptr).bytes + rounded(trees.bytes()) +
            static_cast<std::size_t>(std::min(at_a_time, contacts)) * common.bytes;
   };
   const std::size_t there = engine->most_for_vectors(spectrum->bytes() + device.bytes_of_stacks<Work>(), settings.limit);
@@ -115,7 +110,7 @@ template <class R> void solve(const rc_host* host, rc_many& many, const rc_optio
                     "a contact of " + std::to_string(grid.nx) + "x" + std::to_string(grid.ny) + " points among many");
 
   const Arrays on_device(many, fits, engine->vectors());
-  common.trees_at = engine->vectors() + on_device.bytes();
+  common.trees_at = engine->vectors() + on_device.bytes;
   common.memory = common.trees_at + rounded(trees.bytes());
   trees.place(device, common.trees_at);
   common.trees = trees.passes(true);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/certificate_terms.h"
+#include "core/start_terms.h"
 #include "kernels/passes.h"
 
 namespace rc_cuda {
@@ -40,7 +41,7 @@ struct Indent {
   double cap, length, compression, lowest;
   RC_ANYWHERE Heights operator()(Index i) const {
     if (!(state[i] & is_unknown)) return {};
-    const double depth = compression - (gap[i] - lowest) - product[i] * length;
+    const double depth = rc::plastic_depth(product[i] * length, compression, gap[i] - lowest);
     if (p[i] >= cap && depth > 0) gap[i] += depth;
     return {gap[i], gap[i], 1, std::isfinite(gap[i])};
   }
@@ -78,7 +79,7 @@ struct Grow {
   double* p;
   const std::uint8_t* state;
   RC_ANYWHERE Grown operator()(Index i) const {
-    p[i] = state[i] != 0 && u[i] > -1 ? 1 + u[i] : 0;
+    p[i] = state[i] != 0 ? rc::cold_pressure(u[i]) : 0;
     return {p[i], p[i], p[i] > 0 ? 1.0 : 0.0};
   }
 };
@@ -139,7 +140,7 @@ struct Violate {
   double length, compression, lowest, largest, hardness, scale;  // product in units of length
   RC_ANYWHERE Violations operator()(Index i) const {
     if (!(state[i] & is_unknown)) return {};
-    const double g = product[i] * length - (compression - (gap[i] - lowest));
+    const double g = rc::deformed_gap(product[i] * length, compression, gap[i] - lowest);
     return {rc::dual_violation(g, p[i], hardness, scale), rc::complementarity_violation(g, p[i], largest, hardness, scale),
             std::isfinite(p[i]) && std::isfinite(g)};
   }

@@ -11,14 +11,14 @@ from numpy.typing import ArrayLike
 
 from . import _constants
 from ._arrays import Doubles, Mask, Pitch, as_doubles, as_mask, as_switch, given, refuse_one_row
-from ._calls import Callbacks, interruptible, short_traceback
+from ._calls import Callbacks, conclude, interruptible, short_traceback
 from ._elastic import Constant, modulus_of, needed_modulus
 from ._data_arrays import in_order
-from ._errors import ArgumentError, Interrupted, ShapeError, as_status, error_for
+from ._errors import ArgumentError, ShapeError, as_status
 from ._library import contact_library
 from ._files import is_file
 from ._height_map import gap_below
-from ._keywords import options_of, prescribed, refuse_beside_system
+from ._keywords import options_of, prescribed, refuse_two_sources
 from ._maps import as_surface
 from ._progress import Bars
 from ._status import Status
@@ -148,12 +148,9 @@ def batch(
         ends: Dict[str, Any] = {"certified": struct.certified, "first": struct.first, "grid": grid}
         arrays: Dict[str, Any] = {"stiffness": None, **out, **whole, "pressure": pressures}
         answer = BatchResult(status=as_status(status), message=message, statuses=statuses, **arrays, **ends)
-    for raised in (product, callbacks):
-        raised.raise_first()
-    if interrupt is not None:
-        raise Interrupted(answer) if isinstance(interrupt, KeyboardInterrupt) else interrupt
-    if answer is None or status < 0 and n == 0 or check and status not in (Status.OK, Status.WITHIN_GOAL):
-        raise error_for(status, message, answer)
+    accepted = answer is not None and n > 0 and not check
+    conclude(Status.OK if accepted else status, message, interrupt, answer, check, product, callbacks)
+    assert answer is not None
     return answer
 
 
@@ -169,12 +166,8 @@ def _surfaces(
     hardness: Optional[float],
 ) -> Tuple[System, Doubles, Optional[Mask]]:
     """(system, gaps, masks), the arrays with an axis for contacts where they are not shared."""
-    if (heights is None) == (undeformed_gap is None):
-        raise ArgumentError(
-            f"{'both are' if heights is not None else 'neither is'} given: one of heights, undeformed_gap is needed"
-        )
-    if system is not None:
-        refuse_beside_system(pitch=pitch, modulus=modulus, boundary=boundary, hardness=hardness)
+    given: Any = {"pitch": pitch, "modulus": modulus, "boundary": boundary, "hardness": hardness}
+    refuse_two_sources(heights, undeformed_gap, system, **given)
     periodic: Optional[bool] = None
     if heights is not None and _is_sequence_of_surfaces(heights):
         if mask is not None:

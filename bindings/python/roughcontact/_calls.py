@@ -5,27 +5,31 @@ import signal
 import threading
 from typing import Any, Callable, Dict, List, Optional, Tuple, TypeVar, cast
 
-from ._errors import BusyError, error_for
+from ._errors import BusyError, Interrupted, error_for
 from ._library import contact_library, formats_library, surface_library
+from ._status import Status
 from ._use import Use
 
 
-def check(status: int) -> None:
+def last_message() -> str:
+    """Of the last call of this thread."""
+    return str(contact_library().rc_last_error().decode(errors="replace"))
+
+
+def check(status: int, message: Callable[[], str] = last_message) -> None:
     """Raises what the last call of this thread returned, if it failed."""
     if status < 0:
-        raise error_for(status, contact_library().rc_last_error().decode(errors="replace"))
+        raise error_for(status, message())
 
 
 def check_surface(status: int) -> None:
     """The same for libroughcontact-surface."""
-    if status < 0:
-        raise error_for(status, surface_library().rc_surface_last_error().decode(errors="replace"))
+    check(status, lambda: str(surface_library().rc_surface_last_error().decode(errors="replace")))
 
 
 def check_formats(status: int) -> None:
     """The same for libroughcontact-formats."""
-    if status < 0:
-        raise error_for(status, formats_library().rc_surface_read_last_error().decode(errors="replace"))
+    check(status, lambda: str(formats_library().rc_surface_read_last_error().decode(errors="replace")))
 
 
 F = TypeVar("F", bound=Callable[..., Any])
@@ -78,6 +82,20 @@ class Callbacks:
             raise first
 
 
+def conclude(
+    status: int, message: str, interrupt: Optional[BaseException], answer: Any, must_be_certified: bool, *called: Callbacks
+) -> None:
+    """Raises what there is to be raised after a call that used these callbacks."""
+    for each in called:
+        each.raise_first()
+    if isinstance(interrupt, KeyboardInterrupt):
+        raise Interrupted(answer) from interrupt
+    if interrupt is not None:
+        raise interrupt
+    if status < 0 or must_be_certified and status not in (Status.OK, Status.WITHIN_GOAL):
+        raise error_for(status, message, answer)
+
+
 def _takes_ctrl_c() -> bool:
     return threading.current_thread() is threading.main_thread() and callable(signal.getsignal(signal.SIGINT))
 
@@ -97,7 +115,7 @@ def interruptible(
 
     def with_message() -> Tuple[int, str]:
         status = call()
-        return status, contact_library().rc_last_error().decode(errors="replace") if status else ""
+        return status, last_message() if status else ""
 
     if not _takes_ctrl_c():
         return (*with_message(), None)

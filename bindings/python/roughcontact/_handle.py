@@ -8,8 +8,8 @@ from typing import Any, Callable, ContextManager, Dict, Iterator, List, Optional
 
 from ._arrays import Mask, Reals, as_int
 from ._c import members_for
-from ._calls import Callbacks, check, interruptible
-from ._errors import ArgumentError, InfeasibleError, Interrupted, ShapeError, error_for
+from ._calls import Callbacks, check, conclude, interruptible
+from ._errors import ArgumentError, InfeasibleError, ShapeError
 from ._keywords import options_of
 from ._library import contact_library
 from ._progress import Bars
@@ -141,18 +141,9 @@ class Handle(OwnsHandle):
         self._late_cancel = (bool(asked) or self._late_cancel and waits) and status != Status.STOP_CANCELLED
         return status, message, interrupt
 
-    def _conclude(
-        self, status: int, message: str, interrupt: Optional[BaseException], answer: Any, must_be_certified: bool
-    ) -> None:
-        """Raises what there is to be raised after a call."""
-        for each in (self._product, self._callbacks):
-            each.raise_first()
-        if isinstance(interrupt, KeyboardInterrupt):
-            raise Interrupted(answer) from interrupt
-        if interrupt is not None:
-            raise interrupt
-        if status < 0 or must_be_certified and status not in (Status.OK, Status.WITHIN_GOAL):
-            raise error_for(status, message, answer)
+    def _conclude(self, *ended: Any) -> None:
+        """As `conclude`, of a call of this contact."""
+        conclude(*ended, self._product, self._callbacks)
 
     def cancel(self) -> None:
         """Stops the running step soon, or the next one if none runs. Any thread."""

@@ -14,7 +14,7 @@ from ._library import contact_library
 from ._structs import rc_system
 
 Symbol = Callable[[Doubles, Doubles], ArrayLike]
-PERIODIC, ABI_MAJOR, ABI_MINOR = 2, 1, 7  # RC_KERNEL_PERIODIC, RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR
+PERIODIC, ABI_MAJOR, ABI_MINOR = 2, 1, 0  # RC_KERNEL_PERIODIC, RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR
 
 _fail = callback(rc_status, handle, rc_status, text)
 _system = ctypes.POINTER(rc_system)
@@ -46,8 +46,8 @@ _kernels = ctypes.POINTER(ctypes.POINTER(rc_kernel))
 
 @struct
 class rc_plugin(Sized):
-    members = """size_t struct_size; uint32_t abi_major abi_minor; text name version; int64_t n_backends n_solvers;
-    handle backends solvers; int64_t n_kernels; _kernels kernels"""
+    members = """size_t struct_size; uint32_t abi_major abi_minor; text name version; 
+    int64_t n_backends n_solvers n_kernels; handle backends solvers; _kernels kernels"""
 
 
 _registered: List[Any] = []  # the library may look at them as long as the process lives

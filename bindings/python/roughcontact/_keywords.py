@@ -82,7 +82,12 @@ def prescribed(system: System, **ways: Optional[ArrayLike]) -> Prescribed:
     return Prescribed(name, given, _constants.RC_CONTROL_LOAD, given)
 
 
-def refuse_beside_system(**given: Any) -> None:
+def refuse_two_sources(heights: Any, undeformed_gap: Any, system: Optional[System], **given: Any) -> None:
+    """Unless there is one of heights and gap, and nothing beside a system that it has."""
+    if (heights is None) == (undeformed_gap is None):
+        raise ArgumentError(
+            f"{'both are' if heights is not None else 'neither is'} given: one of heights, undeformed_gap is needed"
+        )
     twice = [name for name, value in given.items() if value is not None]
-    if twice:
+    if system is not None and twice:
         raise ArgumentError(f"{', '.join(twice)} and system are both given; the system has them")

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._arrays import Doubles
+from ._blocks import largest
 
 # Ground and colours of pressures from low to high, all of which are seen on the ground.
 GROUND = (24, 26, 32)
@@ -27,19 +28,10 @@ def png(rgb: NDArray[np.uint8]) -> bytes:
     return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(lines)) + chunk(b"IEND", b"")
 
 
-def largest_of_blocks(values: Doubles, most: int) -> Doubles:
-    """The same map with at most `most` points a side: specks stay."""
-    step = -(-max(values.shape) // most)
-    rows, columns = (-(-n // step) for n in values.shape)
-    padded = np.zeros((rows * step, columns * step))
-    padded[: values.shape[0], : values.shape[1]] = values
-    found: Doubles = padded.reshape(rows, step, columns, step).max((1, 3))
-    return found
-
-
 def pressure_image(pressure: Doubles, width: int = 160) -> str:
     """An img element: where there is contact, and how much it carries; x to the right, y down, as in the command."""
-    p = largest_of_blocks(np.nan_to_num(np.atleast_2d(pressure)), width)
+    points = np.nan_to_num(np.atleast_2d(pressure))
+    p = largest(points, -(-max(points.shape) // width))
     level = np.clip(p / (p.max() or 1.0), 0, 1) * (len(COLOURS) - 1)
     low = np.minimum(level.astype(int), len(COLOURS) - 2)
     rgb = COLOURS[low] + (level - low)[..., None] * (COLOURS[low + 1] - COLOURS[low])

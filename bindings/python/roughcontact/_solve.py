@@ -14,7 +14,7 @@ from ._errors import ArgumentError
 from ._handle import Watch
 from ._height_map import Surface
 from ._history import history_on
-from ._keywords import options_of, prescribed, refuse_beside_system
+from ._keywords import options_of, prescribed, refuse_two_sources
 from ._maps import as_surface, pitch_beside
 from ._preparation import prepared
 from .contact import Contact, gap_and_mask
@@ -41,12 +41,8 @@ def system_for(
     devices: bool = False,
 ) -> Tuple[System, Any, Optional[Mask]]:
     """(system, undeformed_gap, mask) from what one-shot functions are given. devices: a gap on a device stays there."""
-    if (heights is None) == (undeformed_gap is None):
-        raise ArgumentError(
-            f"{'both are' if heights is not None else 'neither is'} given: one of heights, undeformed_gap is needed"
-        )
-    if system is not None:
-        refuse_beside_system(pitch=pitch, modulus=modulus, boundary=boundary, unit=unit, hardness=hardness)
+    given: Any = {"pitch": pitch, "modulus": modulus, "boundary": boundary, "unit": unit, "hardness": hardness}
+    refuse_two_sources(heights, undeformed_gap, system, **given)
     if against is not None or shape is not None or remove is not None:
         if heights is None:
             raise ArgumentError("against, shape and remove change heights, but undeformed_gap is given")

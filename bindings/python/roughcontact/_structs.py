@@ -6,6 +6,17 @@ Written by scripts/bindings.py.
 from ._c import *  # noqa: F403
 from ._constants import *  # noqa: F403
 
+
+@struct
+class rc_array(Sized):
+    members = "handle data; int32_t type reserved; text memory"
+
+
+@struct
+class rc_const_array(Sized):
+    members = "handle data; int32_t type reserved; text memory"
+
+
 rc_apply_fn = callback(int32_t, doubles, doubles, int64_t, handle)
 
 
@@ -17,20 +28,20 @@ class rc_system(Sized):
 
 @struct
 class rc_step(Sized):
-    members = """size_t struct_size; int32_t control warm_start=1; double target; doubles undeformed_gap p0; bytes_ mask;
-    int32_t borrow reserved; singles undeformed_gap_single; text memory"""
+    members = """size_t struct_size; int32_t control warm_start=1; double target; doubles undeformed_gap;
+    singles undeformed_gap_single; bytes_ mask; doubles p0; text memory; int32_t borrow reserved"""
 
 
 @struct
 class rc_result(Sized):
-    members = """size_t struct_size; doubles p gap; rc_status status=RC_ERR_ARGUMENT; int32_t reserved;
-    int64_t iterations products points candidates modelled contacts;
-    double load approach mean_pressure contact_area energy stiffness kkt_primal kkt_dual kkt_complementarity;
-    double kkt_control seconds setup_seconds; char*32 solver backend kernel; char*160 note;
-    double duality_gap load_lower load_upper area_lower area_upper;
-    int64_t proven_contacts proven_open undecided levels; double tolerance stiffness_lower stiffness_upper;
-    int64_t capped; double plastic_volume; int64_t proven_capped; singles p_single gap_single; text memory;
-    double area_fraction max_pressure mean_gap punch_stiffness"""
+    members = """size_t struct_size; doubles p gap; singles p_single gap_single; text memory;
+    rc_status status=RC_ERR_ARGUMENT; int32_t reserved;
+    double load approach mean_pressure max_pressure contact_area area_fraction mean_gap energy; int64_t contacts;
+    double kkt_primal kkt_dual kkt_complementarity kkt_control tolerance duality_gap load_lower load_upper;
+    double area_lower area_upper; int64_t proven_contacts proven_open undecided;
+    double stiffness stiffness_lower stiffness_upper punch_stiffness; int64_t capped; double plastic_volume;
+    int64_t proven_capped points candidates modelled iterations products levels; double seconds setup_seconds;
+    char*32 solver backend kernel; char*160 note"""
 
 
 @struct

@@ -13,7 +13,7 @@ import numpy as np
 from . import _constants
 from ._arrays import Doubles, Pitch, as_pitch, as_shape, as_text, columns_and_rows, pointer
 from ._c import members_for
-from ._calls import check
+from ._calls import check, last_message
 from ._errors import OptionError, error_for
 from ._kernel import Symbol, register
 from ._library import contact_library
@@ -219,7 +219,7 @@ def _value(handle: ctypes.c_void_p, key: str) -> OptionValue:
         status = get(handle, key.encode(), out)
         if status == Status.OK:
             return _text(out.value) if isinstance(out, ctypes.c_char_p) else out.value
-    raise error_for(status, library.rc_last_error().decode(errors="replace"))
+    raise error_for(status, last_message())
 
 
 def effective_options(given: Options = None, context: Optional[Context] = None) -> Mapping[str, OptionValue]:

@@ -14,9 +14,9 @@ from numpy.typing import ArrayLike
 from ._arrays import Doubles, Pitch, as_doubles, as_int, as_pitch, as_text, columns_and_rows, pointer, refuse_one_row
 from ._brief import brief
 from ._c import members_for
-from ._calls import interruptible
+from ._calls import conclude, interruptible
 from ._constants import RC_OPT_MAX_ITER, RC_OPT_TOL
-from ._errors import Interrupted, ShapeError, as_status, error_for
+from ._errors import ShapeError, as_status
 from ._library import contact_library
 from ._status import Status
 from ._structs import rc_direct
@@ -66,10 +66,8 @@ def _call(function: Any, arguments: Tuple[Any, ...], p: Doubles, w: Optional[Dou
     answer = None
     if status >= 0:
         answer = DirectResult(p=p, w=w, message=message, **{**members_for(DirectResult, struct), "status": as_status(status)})
-    if interrupt is not None:
-        raise Interrupted(answer) if isinstance(interrupt, KeyboardInterrupt) else interrupt
-    if answer is None or check and status != Status.OK:
-        raise error_for(status, message, answer)
+    conclude(status, message, interrupt, answer, check)
+    assert answer is not None
     return answer
 
 

@@ -25,11 +25,10 @@ from . import _constants
 from ._answers import _needed
 from ._arrays import Doubles, Mask, as_doubles, as_mask, as_switch, given
 from ._c import members_for
-from ._calls import check as check_status
-from ._errors import ArgumentError, error_for
+from ._calls import check as check_status, conclude, last_message
+from ._errors import ArgumentError
 from ._keywords import Prescribed, options_of, prescribed
-from ._library import contact_library, mpi_library
-from ._status import Status
+from ._library import mpi_library
 from ._structs import rc_ranks_counts, rc_result, rc_step
 from ._use import OwnsHandle
 from .context import Context, Options, OptionSet
@@ -216,12 +215,9 @@ class Contact(OwnsHandle):
         deformed = np.zeros(self.shape) if want_gap else None
         struct = given(rc_result(), p=pressure, gap=deformed)
         status = int(function(self._handle, step, struct))
-        message = ""
-        if status:
-            message = contact_library().rc_last_error().decode(errors="replace")
+        message = last_message() if status else ""
         grid = Grid(self.shape, self.system.pitch, self.system.periodic, self._mask, self.system.modulus)
         answer = result_from(struct, message, grid, pressure, deformed) if status >= 0 else None
-        if status < 0 or must_be_certified and status not in (Status.OK, Status.WITHIN_GOAL):
-            raise error_for(status, message, answer)
+        conclude(status, message, None, answer, must_be_certified)
         assert answer is not None
         return answer

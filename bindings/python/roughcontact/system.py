@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from . import _constants
 from ._arrays import Doubles, Pitch, Shape, as_doubles, as_pitch, as_shape, as_text, columns_and_rows, pointer
-from ._calls import Callbacks, check
+from ._calls import Callbacks, check, last_message
 from ._elastic import Constant, needed_modulus
 from ._errors import ArgumentError, ShapeError
 from ._library import contact_library
@@ -230,7 +230,7 @@ def supported(
     with OptionSet(options, context) as handle:
         names = as_text(solver, "solver"), as_text(backend, "backend")
         status = library.rc_pair_supported(context_handle(context), *names, struct, control, handle)
-        reason = library.rc_last_error().decode(errors="replace") if status else ""
+        reason = last_message() if status else ""
     callbacks.raise_first()
     if status == Status.ERR_ARGUMENT:
         check(status)

@@ -32,15 +32,15 @@ std::vector<Fact> facts_of(const rc_system& system, const rc_options& options) {
   return facts;
 }
 
-std::vector<Fact> facts_of(const rc_step& step, const rc_result& result) {
+std::vector<Fact> facts_of(const rc_step& step, const Outputs& outputs) {
   return {{"rc_step.control", join(step.control)},
           {"rc_step.warm_start", join(step.warm_start)},
           {"rc_step.target", exact(step.target)},
           {"the type of rc_step.undeformed_gap", which(step.undeformed_gap, step.undeformed_gap_single)},
           {"rc_step.mask", step.mask ? "given" : "none"},
           {"rc_step.p0", step.p0 ? "given" : "none"},
-          {"the type of rc_result.p", which(result.p, result.p_single)},
-          {"the type of rc_result.gap", which(result.gap, result.gap_single)}};
+          {"the type of rc_result.p", which(outputs.p.in_double, outputs.p.in_single)},
+          {"the type of rc_result.gap", which(outputs.gap.in_double, outputs.gap.in_single)}};
 }
 
 std::vector<Fact> facts_of(const rc_history& path) {

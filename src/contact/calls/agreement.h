@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/surface/outputs.h"
 #include "core/ranks.h"
 #include "registry/options_handle.h"
 
@@ -17,7 +18,7 @@ struct Fact {
 
 std::vector<Fact> facts_of(const rc_system& system, const rc_options& options);
 // What is given, and what is asked for; not the values at points.
-std::vector<Fact> facts_of(const rc_step& step, const rc_result& result);
+std::vector<Fact> facts_of(const rc_step& step, const Outputs& outputs);
 std::vector<Fact> facts_of(const rc_history& path);
 
 // Throws Error(ARGUMENT) on every rank if the facts of one differ from those of rank 0. counts: this rank's do.

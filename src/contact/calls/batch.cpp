@@ -14,8 +14,7 @@
 #include "contact/calls/contact.h"
 #include "contact/calls/many.h"
 #include "contact/calls/many_check.h"
-#include "core/cancelled.h"
-#include "core/error.h"
+#include "core/caught.h"
 #include "core/limits.h"
 
 namespace rc {
@@ -73,25 +72,25 @@ struct Request {
   }
   double* pressures(std::int64_t i) const { return given.p ? given.p + i * points : nullptr; }
 
-  void write(std::int64_t i, std::int64_t k, const rc_result& result) const {
+  void write(std::int64_t i, std::int64_t k, const Numbers& numbers, const System& system) const {
     const std::int64_t at = i * given.steps + k;
-    put(given.load, at, result.load);
-    put(given.approach, at, result.approach);
-    put(given.contact_area, at, result.contact_area);
-    put(given.stiffness, at, result.stiffness);
-    put(given.certificate, at, std::max({result.kkt_primal, result.kkt_dual, result.kkt_complementarity, result.kkt_control}));
-    put(given.status, at, result.status);
-    put(given.iterations, at, result.iterations);
-    put(given.products, at, result.products);
+    put(given.load, at, numbers.load(system));
+    put(given.approach, at, numbers.approach);
+    put(given.contact_area, at, numbers.contact_area(system));
+    put(given.stiffness, at, numbers.stiffness.value);
+    put(given.certificate, at, numbers.certificate.worst());
+    put(given.status, at, numbers.status);
+    put(given.iterations, at, numbers.work.iterations);
+    put(given.products, at, numbers.work.products);
   }
   // Steps from `k` on have no answer.
   void write_none(std::int64_t i, std::int64_t k, rc_status status) const {
-    rc_result none{};
-    none.status = status;
-    none.load = none.approach = none.contact_area = none.stiffness = nan;
-    none.kkt_primal = nan;  // std::max keeps a NaN that comes first, so the certificate is NaN
-    none.iterations = none.products = -1;
-    for (; k < given.steps; ++k) write(i, k, none);
+    for (std::int64_t at = i * given.steps + k; at < (i + 1) * given.steps; ++at) {
+      for (double* const values : {given.load, given.approach, given.contact_area, given.stiffness, given.certificate})
+        put(values, at, nan);
+      put(given.status, at, status);
+      for (std::int64_t* const counts : {given.iterations, given.products}) put(counts, at, std::int64_t{-1});
+    }
   }
 
  private:
@@ -243,7 +242,7 @@ class Worker {
   void take(std::int64_t i, const ManyAnswers& answers, std::int64_t k) {
     const std::int64_t steps = request_.given.steps, first = k * steps;
     for (std::int64_t step = 0; step < steps; ++step)
-      request_.write(i, step, many_->result(answers.all[static_cast<std::size_t>(first + step)], i, step));
+      request_.write(i, step, many_->numbers(answers.all[static_cast<std::size_t>(first + step)], i, step), system());
     if (double* const to = request_.pressures(i))
       std::copy_n(answers.p.data() + (first + steps - 1) * request_.points, request_.points, to);
   }
@@ -253,10 +252,10 @@ class Worker {
     bool within_goal = false;
     for (std::int64_t k = 0; k < request_.given.steps; ++k) {
       if (const rc_status stop = progress_.stopped(); stop != RC_OK) return end(i, k, k, stop, progress_.why_stopped());
-      rc_result result{};
-      result.struct_size = sizeof(rc_result);
-      const rc_status status = solve(i, k, result);
-      if (status >= 0) deliver(i, k, result);
+      Numbers numbers;
+      const Outputs outputs = this->outputs(i);
+      const rc_status status = solve(i, k, outputs, numbers);
+      if (status >= 0) deliver(i, k, outputs, numbers);
       within_goal = within_goal || status == RC_WITHIN_GOAL;
       if (status != RC_OK && status != RC_WITHIN_GOAL) return end(i, k, status < 0 ? k : k + 1, status, message_);
     }
@@ -270,42 +269,41 @@ class Worker {
     progress_.ended(i, k, request_.target(i, k), status, message);
   }
 
-  void deliver(std::int64_t i, std::int64_t k, const rc_result& result) {
-    request_.write(i, k, result);
-    if (request_.given.fn && progress_.stopped() == RC_OK && request_.given.fn(i, k, &result, request_.given.user) != 0)
-      progress_.stop_by("rc_batch.fn ended the batch");
+  void deliver(std::int64_t i, std::int64_t k, const Outputs& outputs, const Numbers& numbers) {
+    request_.write(i, k, numbers, system());
+    if (request_.given.fn && progress_.stopped() == RC_OK) {
+      rc_result result = result_with(outputs);
+      rc::write(numbers, system(), result);
+      if (request_.given.fn(i, k, &result, request_.given.user) != 0) progress_.stop_by("rc_batch.fn ended the batch");
+    }
     progress_.add(1);
   }
 
-  rc_status solve(std::int64_t i, std::int64_t k, rc_result& result) {
+  Outputs outputs(std::int64_t i) {
+    double* const p = request_.pressures(i);
+    if (!request_.given.fn) return {{p}, {}};
+    return {{p ? p : p_.data()}, {gap_.data()}};
+  }
+
+  rc_status solve(std::int64_t i, std::int64_t k, const Outputs& outputs, Numbers& numbers) {
     const auto ended = [&](rc_status status, const char* text) {
       std::snprintf(message_, sizeof message_, "%s", text);
       return status;
     };
-    result.p = request_.pressures(i);
-    if (request_.given.fn) {
-      if (!result.p) result.p = p_.data();
-      result.gap = gap_.data();
-    }
     clear_message();
-    try {
-      const rc_status status = contact_->solve(request_.step(i, k), result);
-      if (status == RC_OK) return status;
-      if (const rc_status stop = progress_.stopped(); status == RC_STOP_CANCELLED && stop != RC_OK)
-        return ended(result.status = stop, progress_.why_stopped());
-      return ended(status, last_message()[0] != '\0' ? last_message() : rc_status_text(status));
-    } catch (const Error& error) {
-      return ended(error.code(), error.what());
-    } catch (const std::bad_alloc&) {
-      return ended(RC_ERR_MEMORY, "out of memory");
-    } catch (const Cancelled&) {
-      throw;  // the thread is being cancelled
-    } catch (const std::exception& error) {
-      return ended(RC_ERR_INTERNAL, error.what());
-    } catch (...) {
-      return ended(RC_ERR_INTERNAL, "an unknown exception");
-    }
+    return caught(
+        [&] {
+          numbers = contact_->solve(request_.step(i, k), outputs);
+          const rc_status status = numbers.status;
+          if (status == RC_OK) return status;
+          if (const rc_status stop = progress_.stopped(); status == RC_STOP_CANCELLED && stop != RC_OK)
+            return ended(numbers.status = stop, progress_.why_stopped());
+          return ended(status, last_message()[0] != '\0' ? last_message() : rc_status_text(status));
+        },
+        ended);
   }
+
+  const System& system() const { return contact_->problem().system; }
 
   std::unique_ptr<Contact> contact_;
   const Request& request_;
@@ -364,7 +362,7 @@ BatchOutcome solve_batch(const rc_system& system, const rc_options& options, con
   const Request request(batch, system.nx * system.ny);
   Progress progress(batch, options.real(RC_OPT_TIME_LIMIT));
   const std::int64_t threads = std::clamp<std::int64_t>(batch.n, 1, options.integer(RC_OPT_THREADS));
-  const std::optional<ManySolve> many = ManySolve::of(first->work(), request.given, threads);
+  const std::optional<ManySolve> many = ManySolve::of(first->problem(), request.given, threads);
   const ManySolve* const shared = many ? &*many : nullptr;
   Worker own(std::move(first), request, progress, shared);
   Helpers helpers(threads - 1, progress, [&] {

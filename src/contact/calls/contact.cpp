@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "contact/operators.h"
 #include "contact/slopes/derivatives.h"
-#include "contact/step/target.h"
 #include "core/error.h"
 
 namespace rc {
@@ -30,76 +30,81 @@ Indentation indentation_of(const rc_state& state, const System& system) {
 
 }  // namespace
 
-Contact::Contact(const rc_system& system, const rc_options& options, const Ranks* ranks)
-    : grid_(system, options, nullptr, ranks) {
+Contact::Contact(const rc_system& system, const rc_options& options, const Company& company)
+    : grid_(system, options, nullptr, company) {
   grid_.leave_indentations();
-  grid_.work().goal = goal_of(options);
-  grid_.work().keeps_history = true;
+  grid_.problem().goal = goal_of(options);
+  grid_.problem().keeps_answers = true;
 }
 
 void Contact::set_options(const rc_options& options) {
-  grid_.set_options(options);
-  grid_.work().goal = goal_of(options);
+  grid_.problem().set_options(options);
+  grid_.problem().goal = goal_of(options);
 }
 
 std::int64_t Contact::ask_stiffness(std::int64_t wanted) {
-  rc_options& options = grid_.work().options;
+  rc_options& options = grid_.problem().options;
   const std::int64_t before = options.integer(RC_OPT_STIFFNESS);
   options.set(RC_OPT_STIFFNESS, wanted);
   return before;
 }
 
-void Contact::begin(const rc_step& step) {
-  grid_.begin(step);
-  if (work().options.integer(RC_OPT_RESUMABLE) != 0) goal_.forget();
+Step Contact::begin(const rc_step& given) {
+  const Step step = grid_.begin(given);  // a step that is refused changes nothing
+  accuracy_ = RC_ACCURACY_INIT;
+  if (problem().options.integer(RC_OPT_RESUMABLE) != 0) goal_.forget();
+  return step;
 }
 
-rc_status Contact::solve(const rc_step& step, rc_result& result) {
-  OnHost host(grid_.work(), held_, step, result, false);
-  begin(host.step);
+Numbers Contact::solve(const rc_step& step, const Outputs& outputs) {
+  OnHost host(grid_.problem(), held_, step, outputs, false);
+  const Step begun = begin(host.step);
   const Cancellation cancellation(*this);
-  const rc_status status = solve_begun(host.step, host.result);
-  host.give(result);
-  return status;
+  Numbers numbers = solve_begun(begun, host.outputs);
+  host.give(outputs);
+  return numbers;
 }
 
-rc_status Contact::solve_begun(const rc_step& step, rc_result& result) {
+Numbers Contact::solve_begun(const Step& step, const Outputs& outputs) {
   Monitor monitor = grid_.monitor();
   // With a hardness the whole grid is solved: what the accuracy goal knows of errors holds for elastic contact.
+  const System& system = problem().system;
   const bool coarser_may_do =
-      work().goal.error > 0 && work().system.halfspace() && !work().system.capped() && !nothing_touches(step, work());
+      problem().goal.error > 0 && system.halfspace() && !system.capped() && step.target.touches(problem().surface);
   std::optional<Estimate> nearer;
-  if (coarser_may_do && goal_.solve(grid_, step, monitor, result, nearer)) return result.status;
-  const rc_status status = grid_.solve_begun(step, monitor, result, std::move(nearer));
-  if (coarser_may_do) {
-    goal_.add_work(result);
-    result.seconds = std::max(0.0, monitor.seconds() - result.setup_seconds);
+  std::optional<Numbers> numbers;
+  if (coarser_may_do) numbers = goal_.solve(grid_, step, monitor, outputs, nearer);
+  if (!numbers) {
+    numbers = grid_.solve_begun(step, monitor, outputs, nearer);
+    if (coarser_may_do) goal_.add_work(monitor, numbers->work);
   }
-  return status;
+  accuracy_ = numbers->accuracy;
+  return *numbers;
 }
 
-rc_status Contact::certify(const rc_step& step, rc_result& result) {
-  OnHost host(grid_.work(), held_, step, result, true);
-  const rc_status status = grid_.certify(host.step, host.result);
-  host.give(result);
-  return status;
+Numbers Contact::certify(const rc_step& step, const Outputs& outputs) {
+  OnHost host(grid_.problem(), held_, step, outputs, true);
+  Numbers numbers = grid_.certify(host.step, host.outputs);
+  accuracy_ = numbers.accuracy;
+  host.give(outputs);
+  return numbers;
 }
 
 rc_status Contact::gradient(rc_gradient& gradient) {
   const Cancellation cancellation(*this);
-  const Rest after(grid_.work());
-  return differentiate(grid_.work(), memory(), grid_.monitor(), gradient);
+  const Rest after(grid_.problem());
+  return differentiate(grid_.problem(), grid_.memory(), grid_.outcome(), grid_.monitor(), gradient);
 }
 
 rc_status Contact::tangent(rc_tangent& tangent) {
   const Cancellation cancellation(*this);
-  const Rest after(grid_.work());
-  return differentiate(grid_.work(), memory(), grid_.monitor(), tangent);
+  const Rest after(grid_.problem());
+  return differentiate(grid_.problem(), grid_.memory(), grid_.outcome(), grid_.monitor(), tangent);
 }
 
 const std::string& Contact::explain() {
-  const StepRecord& record = work().record;
-  return explanation_ = record.choice.solver ? explained(work().options, work().system, record.choice, record.failed) : "";
+  const StepOutcome& last = grid_.outcome();
+  return explanation_ = last.choice.solver ? explained(problem().options, problem().system, last.choice, last.failed) : "";
 }
 
 void Contact::reset() {
@@ -116,12 +121,12 @@ void Contact::forget() {
 
 // After the surface has been cleared.
 void Contact::drop_copies() {
-  grid_.work().gap_on_device = {};
+  grid_.problem().gap_on_device = {};
   held_.clear();
 }
 
 void Contact::restore(const rc_state& state) {
-  const System& system = work().system;
+  const System& system = problem().system;
   const auto n = static_cast<std::size_t>(system.points());
   if (!state.undeformed_gap) fail(RC_ERR_ARGUMENT, "rc_state.undeformed_gap is null");
   if (!state.p && state.p_before) fail(RC_ERR_ARGUMENT, "rc_state.p is null but rc_state.p_before is not");
@@ -130,7 +135,7 @@ void Contact::restore(const rc_state& state) {
   Indentation indentation = indentation_of(state, system);
   const std::vector<double> indented = indentation.indented();
   StepSurface surface({system.given.nx, system.given.ny, indentation.none() ? GapValues(gap) : GapValues(indented), mask, false},
-                      work().team());
+                      problem().team());
   Memory memory = memory_of(state, surface, system.points());
   goal_.forget();
   grid_.restore(std::move(memory), std::move(surface), std::move(indentation));

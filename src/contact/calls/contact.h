@@ -11,7 +11,6 @@
 #include <thread>
 
 #include "contact/calls/device_arrays.h"
-#include "contact/grid_contact.h"
 #include "contact/grids/goal/accuracy_goal.h"
 #include "registry/options_handle.h"
 
@@ -19,22 +18,21 @@ namespace rc {
 
 class Contact {
  public:
-  // ranks: null, or those that share the grid by rows; see Workspace.
-  Contact(const rc_system& system, const rc_options& options, const Ranks* ranks = nullptr);
-  // From here on other ranks do the same, each with all points.
-  void stay_alike() { grid_.work().passes_over = false; }
+  Contact(const rc_system& system, const rc_options& options, const Company& company = {});
 
-  const Workspace& work() const { return grid_.work(); }
-  const Memory& memory() const { return grid_.memory(); }
+  const GridProblem& problem() const { return grid_.problem(); }
+  const GridContact& grid() const { return grid_; }
   void set_options(const rc_options& options);
   void on_progress(const ProgressCallback& progress) { grid_.on_progress(progress); }
 
   // These two take arrays on a device, too.
-  rc_status solve(const rc_step& step, rc_result& result);
-  rc_status certify(const rc_step& step, rc_result& result);
-  rc_status retrace(const rc_step& step, double compression, rc_result& result) {
-    return grid_.retrace(step, compression, result);
+  Numbers solve(const rc_step& step, const Outputs& outputs);
+  Numbers certify(const rc_step& step, const Outputs& outputs);
+  Numbers retrace(const rc_step& step, double compression, const Outputs& outputs) {
+    return grid_.retrace(step, compression, outputs);
   }
+  // Of the last step's answer; model_nx = 0: it has none.
+  const rc_accuracy& accuracy() const { return accuracy_; }
 
   // Derivatives of the last step. Throw Error(ARGUMENT) where it did not return RC_OK.
   rc_status gradient(rc_gradient& gradient);
@@ -64,8 +62,8 @@ class Contact {
     Contact& contact_;
   };
   // One step of a history, within a Cancellation.
-  void begin(const rc_step& step);
-  rc_status solve_begun(const rc_step& step, rc_result& result);
+  Step begin(const rc_step& step);
+  Numbers solve_begun(const Step& step, const Outputs& outputs);
   // Sets option stiffness. Returns what it was.
   std::int64_t ask_stiffness(std::int64_t wanted);
 
@@ -84,6 +82,7 @@ class Contact {
   HeldCopies held_;  // outlives what refers to it
   GridContact grid_;
   AccuracyGoal goal_;
+  rc_accuracy accuracy_ = RC_ACCURACY_INIT;
   std::string explanation_;
   std::atomic<std::thread::id> user_;  // none: the contact is free
 };

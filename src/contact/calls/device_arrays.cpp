@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "contact/workspace.h"
+#include "contact/problem.h"
 #include "core/error.h"
 
 namespace rc {
@@ -12,8 +12,8 @@ namespace {
 
 class Device {
  public:
-  Device(const Workspace& work, const char* name, const char* member)
-      : work_(work), backend_(work.options.context->backend(name)) {
+  Device(const GridProblem& problem, const char* name, const char* member)
+      : problem_(problem), backend_(problem.options.context->backend(name)) {
     if (!backend_.fetch || !backend_.store)
       fail(RC_ERR_INCOMPATIBLE, member, " = \"", name,
            "\": this backend has no device with a memory of its own; name one that has (\"cuda\"), or null for arrays in "
@@ -24,22 +24,22 @@ class Device {
     if (!from) return nullptr;
     to = room<Value>();
     clear_message();
-    raise_if_failed(backend_.fetch(&work_.host, &work_.options, to.get(), from, bytes<Value>()), "copying from the device");
+    raise_if_failed(backend_.fetch(&problem_.host, &problem_.options, to.get(), from, bytes<Value>()), "copying from the device");
     return to.get();
   }
   template <class Value> std::unique_ptr<Value[]> room() const {
-    return std::make_unique_for_overwrite<Value[]>(static_cast<std::size_t>(work_.own_points()));
+    return std::make_unique_for_overwrite<Value[]>(static_cast<std::size_t>(problem_.own_points()));
   }
   template <class Value> void store(Value* to, const Value* from) const {
     if (!to) return;
     clear_message();
-    raise_if_failed(backend_.store(&work_.host, &work_.options, to, from, bytes<Value>()), "copying to the device");
+    raise_if_failed(backend_.store(&problem_.host, &problem_.options, to, from, bytes<Value>()), "copying to the device");
   }
 
  private:
-  template <class Value> std::int64_t bytes() const { return work_.own_points() * static_cast<std::int64_t>(sizeof(Value)); }
+  template <class Value> std::int64_t bytes() const { return problem_.own_points() * static_cast<std::int64_t>(sizeof(Value)); }
 
-  const Workspace& work_;
+  const GridProblem& problem_;
   const rc_backend& backend_;
 };
 
@@ -52,13 +52,13 @@ bool refers_to(const StepSurface& surface, const HostCopies& copies) {
 
 }  // namespace
 
-OnHost::OnHost(Workspace& work, HeldCopies& held, const rc_step& given, const rc_result& wanted, bool judged)
-    : step(given), result(wanted), work_(work), held_(held), judged_(judged) {
-  if (!step.memory && !result.memory) return;
+OnHost::OnHost(GridProblem& problem, HeldCopies& held, const rc_step& given, const Outputs& wanted, bool judged)
+    : step(given), outputs(wanted), problem_(problem), held_(held), judged_(judged) {
+  if (!step.memory && !outputs.memory) return;
   held_.push_back(std::make_unique<HostCopies>());
   try {
     if (step.memory) fetch(given);
-    if (result.memory) make_room(wanted);
+    if (outputs.memory) make_room(wanted);
   } catch (...) {
     leave();
     throw;
@@ -66,7 +66,7 @@ OnHost::OnHost(Workspace& work, HeldCopies& held, const rc_step& given, const rc
 }
 
 void OnHost::fetch(const rc_step& given) {
-  const Device device(work_, given.memory, "rc_step.memory");
+  const Device device(problem_, given.memory, "rc_step.memory");
   HostCopies& copies = *held_.back();
   step.undeformed_gap = device.copied(given.undeformed_gap, copies.gap);
   step.undeformed_gap_single = device.copied(given.undeformed_gap_single, copies.gap_single);
@@ -74,17 +74,17 @@ void OnHost::fetch(const rc_step& given) {
   step.p0 = device.copied(given.p0, copies.p0);
   step.borrow = 1;
   if (!given.undeformed_gap && !given.undeformed_gap_single) return;
-  const auto n = static_cast<std::size_t>(work_.own_points());
+  const auto n = static_cast<std::size_t>(problem_.own_points());
   const bool single = given.undeformed_gap == nullptr;
-  work_.gap_on_device = {single ? static_cast<const void*>(given.undeformed_gap_single) : given.undeformed_gap,
-                         single ? GapValues(std::span<const float>(copies.gap_single.get(), n))
-                                : GapValues(std::span<const double>(copies.gap.get(), n)),
-                         given.memory};
+  problem_.gap_on_device = {single ? static_cast<const void*>(given.undeformed_gap_single) : given.undeformed_gap,
+                            single ? GapValues(std::span<const float>(copies.gap_single.get(), n))
+                                   : GapValues(std::span<const double>(copies.gap.get(), n)),
+                            given.memory};
   lent_ = given.borrow == 0;
 }
 
-void OnHost::make_room(const rc_result& wanted) {
-  const Device device(work_, wanted.memory, "rc_result.memory");
+void OnHost::make_room(const Outputs& wanted) {
+  const Device device(problem_, wanted.memory, "rc_result.memory");
   HostCopies& copies = *held_.back();
   const auto room = [&]<class Value>(Value*& to, std::unique_ptr<Value[]>& of, bool given) {
     if (!to) return;
@@ -94,33 +94,26 @@ void OnHost::make_room(const rc_result& wanted) {
       of = device.room<Value>();
     to = of.get();
   };
-  room(result.p, copies.p, judged_);
-  room(result.p_single, copies.p_single, judged_);
-  room(result.gap, copies.deformed, false);
-  room(result.gap_single, copies.deformed_single, false);
+  room(outputs.p.in_double, copies.p, judged_);
+  room(outputs.p.in_single, copies.p_single, judged_);
+  room(outputs.gap.in_double, copies.deformed, false);
+  room(outputs.gap.in_single, copies.deformed_single, false);
 }
 
-void OnHost::give(rc_result& to) const {
-  if (result.memory && result.status >= 0) {
-    const Device device(work_, result.memory, "rc_result.memory");
-    if (!judged_) {
-      device.store(to.p, result.p);
-      device.store(to.p_single, result.p_single);
-    }
-    device.store(to.gap, result.gap);
-    device.store(to.gap_single, result.gap_single);
-  }
-  rc_result answer = result;
-  answer.p = to.p;
-  answer.p_single = to.p_single;
-  answer.gap = to.gap;
-  answer.gap_single = to.gap_single;
-  to = answer;
+void OnHost::give(const Outputs& to) const {
+  if (!to.memory) return;
+  const Device device(problem_, to.memory, "rc_result.memory");
+  const auto store = [&](const OutputArray& there, const OutputArray& here) {
+    device.store(there.in_double, here.in_double);
+    device.store(there.in_single, here.in_single);
+  };
+  if (!judged_) store(to.p, outputs.p);
+  store(to.gap, outputs.gap);
 }
 
 void OnHost::leave() {
-  if (GapOnDevice& there = work_.gap_on_device; lent_ || !there.is_of(work_.surface.gap())) there = {};
-  std::erase_if(held_, [&](const auto& copies) { return !refers_to(work_.surface, *copies); });
+  if (GapOnDevice& there = problem_.gap_on_device; lent_ || !there.is_of(problem_.surface.gap())) there = {};
+  std::erase_if(held_, [&](const auto& copies) { return !refers_to(problem_.surface, *copies); });
   if (held_.empty()) return;
   HostCopies& kept = *held_.back();
   for (std::unique_ptr<double[]>* const each : {&kept.p0, &kept.p, &kept.deformed}) each->reset();

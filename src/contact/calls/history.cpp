@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/error.h"
-#include "core/ranks.h"
 
 namespace rc {
 
@@ -24,7 +23,7 @@ void check_history(const rc_history& history) {
       fail(RC_ERR_ARGUMENT, "rc_history.targets[", i, "] = ", history.targets[i], " is not finite");
 }
 
-rc_step step_of(const rc_history& history, std::int64_t i) {
+rc_step history_step(const rc_history& history, std::int64_t i) {
   rc_step step = RC_STEP_INIT;
   step.control = history.control;
   step.warm_start = history.warm_start;
@@ -40,13 +39,13 @@ template <class Number> void put(Number* to, std::int64_t i, Number value) {
   if (to) to[i] = value;
 }
 
-void write_outputs(const rc_history& history, std::int64_t i, const rc_result& result) {
-  put(history.load, i, result.load);
-  put(history.approach, i, result.approach);
-  put(history.contact_area, i, result.contact_area);
-  put(history.stiffness, i, result.stiffness);
-  put(history.certificate, i, std::max({result.kkt_primal, result.kkt_dual, result.kkt_complementarity, result.kkt_control}));
-  put(history.products, i, result.products);
+void write_outputs(const rc_history& history, std::int64_t i, const Numbers& numbers, const System& system) {
+  put(history.load, i, numbers.load(system));
+  put(history.approach, i, numbers.approach);
+  put(history.contact_area, i, numbers.contact_area(system));
+  put(history.stiffness, i, numbers.stiffness.value);
+  put(history.certificate, i, numbers.certificate.worst());
+  put(history.products, i, numbers.work.products);
 }
 
 std::string where(const rc_history& history, std::int64_t i) {
@@ -79,33 +78,35 @@ rc_status solve_history(Contact& contact, const rc_history& history, std::int64_
   if (history.stiffness) stiffness.emplace(contact);
 
   std::vector<double> p, gap;
-  on_all(contact.work().ranks(), [&] {
-    p.resize(history.fn ? static_cast<std::size_t>(contact.work().own_points()) : 0);
+  contact.problem().company().on_all([&] {
+    p.resize(history.fn ? static_cast<std::size_t>(contact.problem().own_points()) : 0);
     gap.resize(history.want_gap != 0 ? p.size() : 0);
   });
   std::string within_goal;  // what the last step said that was within its goal
   for (std::int64_t i = 0; i < history.n; ++i) {
-    const rc_step step = step_of(history, i);
-    rc_result result{};
-    result.struct_size = sizeof(rc_result);
-    result.p = history.fn ? p.data() : nullptr;
-    result.gap = history.fn && history.want_gap != 0 ? gap.data() : nullptr;
-    rc_status status = RC_OK;
+    const rc_step step = history_step(history, i);
+    const Outputs outputs{{history.fn ? p.data() : nullptr}, {gap.empty() ? nullptr : gap.data()}};
+    Numbers numbers;
     try {
-      contact.begin(step);
+      const Step begun = contact.begin(step);
       clear_message();
-      status = cancellation.requested() ? RC_STOP_CANCELLED : contact.solve_begun(step, result);
+      numbers.status = RC_STOP_CANCELLED;
+      if (!cancellation.requested()) numbers = contact.solve_begun(begun, outputs);
     } catch (const Error& error) {
       fail(error.code(), where(history, i), ": ", error.what());
     }
+    const rc_status status = numbers.status;
     if (status == RC_WITHIN_GOAL) within_goal = last_message();
     if (status != RC_OK && status != RC_WITHIN_GOAL) {
       set_message(where(history, i).c_str(), last_message()[0] != '\0' ? last_message() : rc_status_text(status));
       return status;
     }
-    write_outputs(history, i, result);
+    write_outputs(history, i, numbers, contact.problem().system);
     completed = i + 1;
-    if (history.fn && history.fn(i, &result, history.user) != 0) {
+    if (!history.fn) continue;
+    rc_result result = result_with(outputs);
+    write(numbers, contact.problem().system, result);
+    if (history.fn(i, &result, history.user) != 0) {
       set_message(where(history, i).c_str(), "rc_history.fn ended the history after this step");
       return RC_STOP_CANCELLED;
     }

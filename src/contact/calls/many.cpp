@@ -5,7 +5,7 @@
 #include <limits>
 #include <new>
 
-#include "contact/step/choice.h"
+#include "contact/choice.h"
 #include "core/certificate_terms.h"
 #include "core/error.h"
 #include "core/large_memory.h"
@@ -18,36 +18,36 @@ namespace {
 constexpr std::int64_t least_together = std::int64_t{1} << 22, most_together = std::int64_t{1} << 25;
 
 // What answers of many have no place for.
-bool asks_for_more(const Workspace& work, const rc_batch& batch) {
-  const rc_options& options = work.options;
-  return batch.fn || batch.stiffness || options.integer(RC_OPT_STIFFNESS) != 0 || work.goal.error > 0 ||
+bool asks_for_more(const GridProblem& problem, const rc_batch& batch) {
+  const rc_options& options = problem.options;
+  return batch.fn || batch.stiffness || options.integer(RC_OPT_STIFFNESS) != 0 || problem.goal.error > 0 ||
          !options.text(RC_OPT_CERTIFY_BACKEND).empty() || options.text(RC_OPT_WARMUP) != "none";
 }
 
 }  // namespace
 
-std::optional<ManySolve> ManySolve::of(const Workspace& work, const rc_batch& batch, std::int64_t threads) {
-  const std::int64_t points = work.system.points();
-  if (batch.n < 2 || batch.steps < 1 || !work.system.halfspace() || asks_for_more(work, batch)) return std::nullopt;
-  ManySolve many(work, batch);
+std::optional<ManySolve> ManySolve::of(const GridProblem& problem, const rc_batch& batch, std::int64_t threads) {
+  const std::int64_t points = problem.system.points();
+  if (batch.n < 2 || batch.steps < 1 || !problem.system.halfspace() || asks_for_more(problem, batch)) return std::nullopt;
+  ManySolve many(problem, batch);
   try {
     const StepFacts facts{.control = batch.control,
                           .candidates = points,
                           .box = points,
-                          .tol = work.options.real(RC_OPT_TOL),
+                          .tol = problem.options.real(RC_OPT_TOL),
                           .at_once = batch.n,
                           .threads = threads};
-    const Choice choice = choose(work.options, work.system, facts);
+    const Choice choice = choose(problem.options, problem.system, facts);
     many.solver_ = choice.solver;
     many.backend_ = choice.backend->name;
   } catch (const Error&) {
     return std::nullopt;  // each contact says what is missing
   }
   if (!many.solver_->solve_many) return std::nullopt;
-  many.grid_ = work.grid();
+  many.grid_ = problem.grid();
   many.grid_.mask = nullptr;
   Request question = many.request(0, 0);
-  const rc_status status = many.solver_->solve_many(&work.host, &question, &work.options);
+  const rc_status status = many.solver_->solve_many(&problem.host, &question, &problem.options);
   clear_message();
   if (status != RC_OK) return std::nullopt;
   const std::int64_t share = (batch.n + threads - 1) / threads;
@@ -57,7 +57,7 @@ std::optional<ManySolve> ManySolve::of(const Workspace& work, const rc_batch& ba
 }
 
 ManySolve::Request ManySolve::request(std::int64_t first, std::int64_t n) const {
-  const System& system = work_.system;
+  const System& system = problem_.system;
   Request request{};
   request.struct_size = sizeof(rc_many);
   request.grid = &grid_;
@@ -76,12 +76,12 @@ ManySolve::Request ManySolve::request(std::int64_t first, std::int64_t n) const 
   request.length_per_pressure = system.length_per_pressure;
   request.hardness = system.hardness;
   request.least_deflection = system.least_deflection * system.length_per_pressure;
-  request.tol = work_.options.real(RC_OPT_TOL);
-  request.max_iterations = work_.options.integer(RC_OPT_MAX_ITER);
-  request.work = &work_;
+  request.tol = problem_.options.real(RC_OPT_TOL);
+  request.max_iterations = problem_.options.integer(RC_OPT_MAX_ITER);
+  request.problem = &problem_;
   request.coefficients = [](const rc_many* many, std::int64_t mx, std::int64_t my, double* out) {
-    const System& of = static_cast<const Request*>(many)->work->system;
-    const Host& host = static_cast<const Request*>(many)->work->host;
+    const System& of = static_cast<const Request*>(many)->problem->system;
+    const Host& host = static_cast<const Request*>(many)->problem->host;
     return host.coefficients(&host, &of.unit, of.kernel.c_str(), mx, my, out);
   };
   return request;
@@ -92,7 +92,7 @@ ManyAnswers ManySolve::solved(std::int64_t first, std::int64_t last) const {
   const std::int64_t slots = (last - first) * batch_.steps;
   try {
     answers.all.resize(static_cast<std::size_t>(slots));
-    answers.p = large_vector<double>(static_cast<std::size_t>(slots * work_.system.points()));
+    answers.p = large_vector<double>(static_cast<std::size_t>(slots * problem_.system.points()));
   } catch (const std::bad_alloc&) {
     log(first, last, "out of memory");
     return {};
@@ -100,7 +100,7 @@ ManyAnswers ManySolve::solved(std::int64_t first, std::int64_t last) const {
   Request asked = request(first, last - first);
   asked.answers = answers.all.data();
   asked.p = answers.p.data();
-  const rc_status status = solver_->solve_many(&work_.host, &asked, &work_.options);
+  const rc_status status = solver_->solve_many(&problem_.host, &asked, &problem_.options);
   if (status != RC_OK) log(first, last, last_message());
   clear_message();
   if (status == RC_OK) answers.contacts = std::clamp<std::int64_t>(asked.done, 0, last - first);
@@ -110,25 +110,21 @@ ManyAnswers ManySolve::solved(std::int64_t first, std::int64_t last) const {
 void ManySolve::log(std::int64_t first, std::int64_t last, const char* why) const {
   const std::string text =
       join("solver \"", solver_->name, "\": contacts ", first, " .. ", last - 1, " are solved one at a time: ", why);
-  work_.host.log(&work_.host, RC_LOG_WARNING, text.c_str());
+  problem_.host.log(&problem_.host, RC_LOG_WARNING, text.c_str());
 }
 
-rc_result ManySolve::result(const rc_many_answer& answer, std::int64_t i, std::int64_t k) const {
-  const double target = batch_.targets[i * batch_.target_stride + k], load = answer.sum * work_.system.cell_area();
+Numbers ManySolve::numbers(const rc_many_answer& answer, std::int64_t i, std::int64_t k) const {
+  const double target = batch_.targets[i * batch_.target_stride + k];
   const bool by_load = batch_.control == RC_CONTROL_LOAD;
-  rc_result result = RC_RESULT_INIT;
-  result.status = RC_OK;
-  result.load = load;
-  result.approach = by_load ? answer.lowest + answer.compression : target;
-  result.contact_area = static_cast<double>(answer.contacts) * work_.system.cell_area();
-  result.stiffness = result.punch_stiffness = std::numeric_limits<double>::quiet_NaN();
-  result.kkt_primal = answer.primal;
-  result.kkt_dual = answer.dual;
-  result.kkt_complementarity = answer.complementarity;
-  result.kkt_control = by_load ? load_imbalance(load, target) : 0;
-  result.iterations = answer.iterations;
-  result.products = answer.products;
-  return result;
+  Numbers numbers;
+  numbers.totals.sum = answer.sum;
+  numbers.totals.contacts = answer.contacts;
+  numbers.approach = by_load ? answer.lowest + answer.compression : target;
+  const double control = by_load ? load_imbalance(numbers.load(problem_.system), target) : 0;
+  numbers.certificate = {answer.primal, answer.dual, answer.complementarity, control};
+  numbers.work.iterations = answer.iterations;
+  numbers.work.products = answer.products;
+  return numbers;
 }
 
 }  // namespace rc

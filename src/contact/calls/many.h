@@ -10,7 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "contact/workspace.h"
+#include "contact/problem.h"
+#include "contact/proof/result.h"
 
 namespace rc {
 
@@ -29,27 +30,27 @@ struct ManyAnswers {
 
 class ManySolve {
  public:
-  // None where the options, or what the batch asks for, leave no solver that takes them. work: of a contact of the batch, which
+  // None if the options, or what the batch asks for, leave no solver that takes them. problem: of a contact of the batch, which
   // must outlive it; threads: that share the batch.
-  static std::optional<ManySolve> of(const Workspace& work, const rc_batch& batch, std::int64_t threads);
+  static std::optional<ManySolve> of(const GridProblem& problem, const rc_batch& batch, std::int64_t threads);
 
   std::int64_t at_once() const { return at_once_; }  // contacts of one call
   // Solves contacts first .. last-1, or as many of them as fit. Several threads may call it at the same time.
   ManyAnswers solved(std::int64_t first, std::int64_t last) const;
-  // Step k of contact i, which is solved, as a result.
-  rc_result result(const rc_many_answer& answer, std::int64_t i, std::int64_t k) const;
+  // Of step k of contact i, which is solved.
+  Numbers numbers(const rc_many_answer& answer, std::int64_t i, std::int64_t k) const;
   // In the context's log: contacts first .. last-1 are solved one at a time.
   void log(std::int64_t first, std::int64_t last, const char* why) const;
 
  private:
   struct Request : rc_many {
-    const Workspace* work;
+    const GridProblem* problem;
   };
 
-  ManySolve(const Workspace& work, const rc_batch& batch) : work_(work), batch_(batch) {}
+  ManySolve(const GridProblem& problem, const rc_batch& batch) : problem_(problem), batch_(batch) {}
   Request request(std::int64_t first, std::int64_t n) const;
 
-  const Workspace& work_;
+  const GridProblem& problem_;
   const rc_batch& batch_;
   const rc_solver* solver_ = nullptr;
   std::string backend_;

@@ -49,8 +49,8 @@ class Check {
         answers_(answers),
         first_(first),
         contact_(contact),
-        system_(contact.work().system),
-        tol_(contact.work().options.real(RC_OPT_TOL)) {}
+        system_(contact.problem().system),
+        tol_(contact.problem().options.real(RC_OPT_TOL)) {}
 
   // Throws Error(NUMERIC) with the first answer that is not as reported.
   void run(std::span<const std::int64_t> solved) {
@@ -142,22 +142,21 @@ class Check {
         step.mask = mask(i);
         step.borrow = 1;
       }
-      rc_result result = RC_RESULT_INIT;
-      result.p = pressures(i, k).data();
+      Numbers found;
       try {
-        contact_.retrace(step, told.compression, result);
+        found = contact_.retrace(step, told.compression, {{pressures(i, k).data()}, {}});
       } catch (const Error& error) {
         refuse(i, k, error.what());
       }
-      const auto differs = [&](const char* name, double found, double reported) {
-        if (!(found <= tol_ && std::abs(found - reported) <= allowed_share * tol_))
-          refuse(i, k, name, " is ", found, ", reported as ", reported, ", tol is ", tol_);
+      const auto differs = [&](const char* name, double value, double reported) {
+        if (!(value <= tol_ && std::abs(value - reported) <= allowed_share * tol_))
+          refuse(i, k, name, " is ", value, ", reported as ", reported, ", tol is ", tol_);
       };
-      differs("kkt_dual", result.kkt_dual, told.dual);
-      differs("kkt_complementarity", result.kkt_complementarity, told.complementarity);
+      differs("kkt_dual", found.certificate.dual, told.dual);
+      differs("kkt_complementarity", found.certificate.complementarity, told.complementarity);
       const double rounding = 8 * epsilon * std::abs(told.lowest), approach = told.lowest + told.compression;
-      if (by_load() && !(std::abs(result.approach - approach) <= allowed_share * tol_ * told.compression + rounding))
-        refuse(i, k, "the approach is ", result.approach, ", reported as ", approach);
+      if (by_load() && !(std::abs(found.approach - approach) <= allowed_share * tol_ * told.compression + rounding))
+        refuse(i, k, "the approach is ", found.approach, ", reported as ", approach);
     }
   }
 

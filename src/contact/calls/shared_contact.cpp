@@ -46,26 +46,24 @@ struct Given {
   bool gap, gap_single, mask, p0, p, p_single, deformed, deformed_single;
 };
 
-void stand_in_for(const Given& given, rc_step& step, rc_result& result) {
+void stand_in_for(const Given& given, rc_step& step, Outputs& outputs) {
   step.undeformed_gap = given.gap ? stand_in<double>() : nullptr;
   step.undeformed_gap_single = given.gap_single ? stand_in<float>() : nullptr;
   step.mask = given.mask ? stand_in<std::uint8_t>() : nullptr;
   step.p0 = given.p0 ? stand_in<double>() : nullptr;
-  result.p = given.p ? stand_in<double>() : nullptr;
-  result.p_single = given.p_single ? stand_in<float>() : nullptr;
-  result.gap = given.deformed ? stand_in<double>() : nullptr;
-  result.gap_single = given.deformed_single ? stand_in<float>() : nullptr;
+  outputs.p = {given.p ? stand_in<double>() : nullptr, given.p_single ? stand_in<float>() : nullptr};
+  outputs.gap = {given.deformed ? stand_in<double>() : nullptr, given.deformed_single ? stand_in<float>() : nullptr};
 }
 
-Given given_by(const rc_step& step, const rc_result& result) {
+Given given_by(const rc_step& step, const Outputs& outputs) {
   return {step.undeformed_gap != nullptr,
           step.undeformed_gap_single != nullptr,
           step.mask != nullptr,
           step.p0 != nullptr,
-          result.p != nullptr,
-          result.p_single != nullptr,
-          result.gap != nullptr,
-          result.gap_single != nullptr};
+          outputs.p.in_double != nullptr,
+          outputs.p.in_single != nullptr,
+          outputs.gap.in_double != nullptr,
+          outputs.gap.in_single != nullptr};
 }
 
 }  // namespace
@@ -74,8 +72,7 @@ bool solved_alike(const rc_system& system) { return std::min(system.nx, system.n
 
 SharedContact::SharedContact(const Ranks& ranks, const rc_system& system, const rc_options& options)
     : ranks_(ranks.on(checked(system, options).ny, !solved_alike(system))), alike_(solved_alike(system)) {
-  contact_ = std::make_unique<Contact>(system, options, alike_ ? nullptr : &ranks_);
-  if (alike_) contact_->stay_alike();
+  contact_ = std::make_unique<Contact>(system, options, alike_ ? Company::repeated() : Company::by_rows(ranks_));
 }
 
 template <class Value> const Value* SharedContact::gathered(const Value* mine, std::vector<Value>& all) const {
@@ -85,7 +82,7 @@ template <class Value> const Value* SharedContact::gathered(const Value* mine, s
   return all.data();
 }
 
-rc_status SharedContact::run_alike(const rc_step& step, rc_result& result, Action action) {
+Numbers SharedContact::run_alike(const rc_step& step, const Outputs& outputs, Action action) {
   std::vector<double> gap, p0, p, deformed;
   std::vector<float> gap_single, p_single, deformed_single;
   std::vector<std::uint8_t> mask;
@@ -95,52 +92,42 @@ rc_status SharedContact::run_alike(const rc_step& step, rc_result& result, Actio
   whole.undeformed_gap_single = gathered(step.undeformed_gap_single, gap_single);
   whole.mask = gathered(step.mask, mask);
   whole.p0 = gathered(step.p0, p0);
-  rc_result answer = result;
   if (action == &Contact::certify) {
-    gathered(result.p, p);
-    gathered(result.p_single, p_single);
+    gathered(outputs.p.in_double, p);
+    gathered(outputs.p.in_single, p_single);
   }
-  rc_status status = RC_OK;
+  Numbers numbers;
   on_all(&ranks_, [&] {
-    const auto room = [&]<class Value>(Value*& to, std::vector<Value>& of) {
-      if (!to) return;
+    const auto room = [&]<class Value>(const Value* wanted, std::vector<Value>& of) -> Value* {
+      if (!wanted) return nullptr;
       of.resize(static_cast<std::size_t>(ranks_.all_rows() * columns()));
-      to = of.data();
+      return of.data();
     };
-    room(answer.p, p);
-    room(answer.p_single, p_single);
-    room(answer.gap, deformed);
-    room(answer.gap_single, deformed_single);
-    status = (*contact_.*action)(whole, answer);
+    const Outputs all{{room(outputs.p.in_double, p), room(outputs.p.in_single, p_single)},
+                      {room(outputs.gap.in_double, deformed), room(outputs.gap.in_single, deformed_single)}};
+    numbers = (*contact_.*action)(whole, all);
   });
   const std::string message = last_message();
   const auto rows = [&]<class Value>(Value* to, const std::vector<Value>& of) {
     if (to) std::copy_n(of.data() + ranks_.first_row() * columns(), own_points(), to);
   };
   if (action != &Contact::certify) {
-    rows(result.p, p);
-    rows(result.p_single, p_single);
+    rows(outputs.p.in_double, p);
+    rows(outputs.p.in_single, p_single);
   }
-  rows(result.gap, deformed);
-  rows(result.gap_single, deformed_single);
-  result = answer;  // but for the arrays, which the caller puts back
+  rows(outputs.gap.in_double, deformed);
+  rows(outputs.gap.in_single, deformed_single);
   set_message(message.c_str());
-  return status;
+  return numbers;
 }
 
-rc_status SharedContact::run(const rc_step& step, rc_result& result, Action action) {
-  check_agreement(ranks_, facts_of(step, result), ranks_.rows() > 0);
-  const Given given = ranks_.of_each(given_by(step, result)).front();
-  rc_step today = step;
-  rc_result answer = result;
-  if (ranks_.rows() == 0) stand_in_for(given, today, answer);
-  const rc_status status = alike_ ? run_alike(today, answer, action) : (*contact_.*action)(today, answer);
-  answer.p = result.p;  // as the caller has them, where stand-ins took their place
-  answer.p_single = result.p_single;
-  answer.gap = result.gap;
-  answer.gap_single = result.gap_single;
-  result = answer;
-  return status;
+Numbers SharedContact::run(const rc_step& step, const Outputs& outputs, Action action) {
+  check_agreement(ranks_, facts_of(step, outputs), ranks_.rows() > 0);
+  const Given given = ranks_.of_each(given_by(step, outputs)).front();
+  rc_step asked = step;
+  Outputs to = outputs;
+  if (ranks_.rows() == 0) stand_in_for(given, asked, to);
+  return alike_ ? run_alike(asked, to, action) : (*contact_.*action)(asked, to);
 }
 
 rc_status SharedContact::run(const rc_history& path, std::int64_t& completed) {

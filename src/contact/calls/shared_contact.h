@@ -12,34 +12,36 @@
 namespace rc {
 
 class SharedContact {
+  template <class Body> auto together(const Body& body) const {
+    decltype(body()) answer{};
+    ranks_.alike([&] { answer = body(); });
+    return answer;
+  }
+
  public:
   // All ranks make one at the same time, alike, with a system and options that they agree on.
   SharedContact(const Ranks& ranks, const rc_system& system, const rc_options& options);
 
   const Ranks& ranks() const { return ranks_; }
-  rc_status solve(const rc_step& step, rc_result& result) {
-    return together([&] { return run(step, result, &Contact::solve); });
+  const System& system() const { return contact_->problem().system; }
+  Numbers solve(const rc_step& step, const Outputs& outputs) {
+    return together([&] { return run(step, outputs, &Contact::solve); });
   }
-  rc_status certify(const rc_step& step, rc_result& result) {
-    return together([&] { return run(step, result, &Contact::certify); });
+  Numbers certify(const rc_step& step, const Outputs& outputs) {
+    return together([&] { return run(step, outputs, &Contact::certify); });
   }
   rc_status solve_history(const rc_history& path, std::int64_t& completed) {
     return together([&] { return run(path, completed); });
   }
 
  private:
-  using Action = rc_status (Contact::*)(const rc_step&, rc_result&);
+  using Action = Numbers (Contact::*)(const rc_step&, const Outputs&);
 
-  std::int64_t columns() const { return contact_->work().system.given.nx; }
+  std::int64_t columns() const { return contact_->problem().system.given.nx; }
   std::size_t own_points() const { return static_cast<std::size_t>(ranks_.rows() * columns()); }
-  template <class Body> rc_status together(const Body& body) const {
-    rc_status status = RC_OK;
-    ranks_.alike([&] { status = body(); });
-    return status;
-  }
-  rc_status run(const rc_step& step, rc_result& result, Action action);
+  Numbers run(const rc_step& step, const Outputs& outputs, Action action);
   rc_status run(const rc_history& path, std::int64_t& completed);
-  rc_status run_alike(const rc_step& step, rc_result& result, Action action);
+  Numbers run_alike(const rc_step& step, const Outputs& outputs, Action action);
   template <class Value> const Value* gathered(const Value* mine, std::vector<Value>& all) const;
 
   Ranks ranks_;

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 
-#include "contact/grid_contact.h"
-#include "contact/grids/pyramid.h"
-#include "contact/step/monitor.h"
-#include "contact/workspace.h"
+#include "contact/grids/grid_contact.h"
+#include "contact/sparse/halved.h"
+#include "core/company.h"
 #include "core/error.h"
-#include "core/ranks.h"
 
 namespace rc {
 
@@ -16,56 +14,10 @@ SolverGrids::~SolverGrids() = default;
 
 namespace {
 
-constexpr std::int32_t keep_answer = 1;  // rc_coarse.keep; 2: what was set up alone
+constexpr std::int32_t keep_answer = 1;                        // rc_coarse.keep; 2: what was set up alone
+constexpr std::int64_t most_gathered = std::int64_t{1} << 16;  // points of a grid that every process solves alike
 
-}  // namespace
-
-rc_status SolverGrids::solve(rc_coarse& request, const Workspace& work, const Monitor& monitor) {
-  const rc_system system = coarser_system(work.system.given, request.nx, request.ny, request.factor);
-  rc_options options = coarse_options(work.options, monitor);
-  options.set(RC_OPT_SOLVER, std::string(request.solver));
-  options.set(RC_OPT_STIFFNESS, std::int64_t{0});
-  if (request.tol > 0) options.set(RC_OPT_TOL, request.tol);
-
-  if (work.ranks()) return solve_shared(request, work, system, options);
-  Level& level = levels_[system.nx * system.ny];
-  if (level.contact && level.summary.nx == system.nx)
-    level.contact->set_options(options);
-  else
-    level.contact = std::make_unique<GridContact>(system, options, &work.team());
-  level.contact->watched_by(monitor, false);
-  level.contact->work().do_alike(work.alike());
-  level.contact->work().passes_over = work.passes_over;
-
-  rc_step step = RC_STEP_INIT;
-  step.control = request.control;
-  step.target = request.control == RC_CONTROL_LOAD ? request.load : request.approach;
-  step.warm_start = work.record.warm;
-  step.undeformed_gap = request.undeformed_gap;
-  step.mask = request.mask;
-  rc_result result{};
-  result.p = request.p;
-  level.current = false;
-  const rc_status status = level.contact->solve(step, result);
-  if (const rc_status stop = work.alike() ? RC_OK : monitor.ask(); stop != RC_OK) return stop;
-  request.approach = result.approach;
-  if (request.keep == 0) {
-    levels_.erase(system.nx * system.ny);
-    return status;
-  }
-  if (request.keep != keep_answer) return status;
-  level.summary = {sizeof(rc_level), nullptr,   status,          0,           system.nx,         system.ny,
-                   system.hx,        system.hy, result.approach, result.load, result.candidates, result.contacts};
-  level.p.assign(request.p, request.p + system.nx * system.ny);
-  level.current = true;
-  return status;
-}
-
-namespace {
-
-constexpr std::int64_t most_gathered = std::int64_t{1} << 16;  // points of a grid that every rank solves alike
-
-rc_step step_of(const rc_coarse& request, std::int32_t warm, const double* gap, const std::uint8_t* mask) {
+rc_step coarse_step(const rc_coarse& request, std::int32_t warm, const double* gap, const std::uint8_t* mask) {
   rc_step step = RC_STEP_INIT;
   step.control = request.control;
   step.target = request.control == RC_CONTROL_LOAD ? request.load : request.approach;
@@ -77,46 +29,85 @@ rc_step step_of(const rc_coarse& request, std::int32_t warm, const double* gap, 
 
 }  // namespace
 
-// A small grid is solved by every rank alike, all others by all of them together.
-rc_status SolverGrids::solve_shared(rc_coarse& request, const Workspace& work, const rc_system& system, rc_options options) {
-  const Ranks& all = *work.ranks();
+std::unique_ptr<CoarseGrids> SolverGrids::another() const { return std::make_unique<SolverGrids>(); }
+
+rc_status SolverGrids::solve(rc_coarse& request, const GridProblem& problem, const Attempt& attempt) {
+  const Monitor& monitor = attempt.monitor;
+  const rc_system system = coarser_system(problem.system.given, request.nx, request.ny, request.factor);
+  rc_options options = coarse_options(problem.options, monitor);
+  options.set(RC_OPT_SOLVER, std::string(request.solver));
+  options.set(RC_OPT_STIFFNESS, std::int64_t{0});
+  if (request.tol > 0) options.set(RC_OPT_TOL, request.tol);
+
+  if (problem.company().keeps_all_points()) return solve_shared(request, problem, attempt.warm, system, options);
   Level& level = levels_[system.nx * system.ny];
-  level.ranks = std::make_unique<Ranks>(all.halved());
-  const Ranks& ranks = *level.ranks;
-  const bool alike = system.nx * system.ny <= most_gathered || ranks.halvings() < 1;
-  if (alike) options.set(RC_OPT_TIME_LIMIT, 0.0);  // a clock that stops one rank stops all, between iterations
-  on_all(&all, [&] { level.contact = std::make_unique<GridContact>(system, options, &work.team(), alike ? nullptr : &ranks); });
-  rc_result result{};
-  rc_status status = RC_OK;
+  if (level.contact && level.summary.nx == system.nx)
+    level.contact->problem().set_options(options);
+  else
+    level.contact = std::make_unique<GridContact>(system, options, &problem.team(), problem.company());
+  level.contact->watched_by(monitor, false);
+
+  level.current = false;
+  const rc_step step = coarse_step(request, attempt.warm, request.undeformed_gap, request.mask);
+  const Numbers found = level.contact->solve(step, {{request.p}, {}});
+  const rc_status status = found.status;
+  if (const rc_status stop = problem.company().stop().value_or(monitor.ask()); stop != RC_OK) return stop;
+  request.approach = found.approach;
+  if (request.keep == 0) {
+    levels_.erase(system.nx * system.ny);
+    return status;
+  }
+  if (request.keep != keep_answer) return status;
+  level.summary = {sizeof(rc_level), nullptr,
+                   status,           0,
+                   system.nx,        system.ny,
+                   system.hx,        system.hy,
+                   found.approach,   found.load(level.contact->problem().system),
+                   found.candidates, found.totals.contacts};
+  level.p.assign(request.p, request.p + system.nx * system.ny);
+  level.current = true;
+  return status;
+}
+
+// A small grid is solved by every process alike, all others by all of them together.
+rc_status SolverGrids::solve_shared(rc_coarse& request, const GridProblem& problem, bool warm, const rc_system& system,
+                                    rc_options options) {
+  const Company& all = problem.company();
+  Level& level = levels_[system.nx * system.ny];
+  const Company half = all.halved();
+  const bool alike = system.nx * system.ny <= most_gathered || half.halvings() < 1;
+  if (alike) options.set(RC_OPT_TIME_LIMIT, 0.0);  // a clock that stops one process stops all, between iterations
+  all.on_all([&] {
+    level.contact = std::make_unique<GridContact>(system, options, &problem.team(), alike ? Company::repeated() : half);
+  });
+  Numbers found;
   if (!alike) {
-    result.p = request.p;
-    status = level.contact->solve(step_of(request, work.record.warm, request.undeformed_gap, request.mask), result);
+    found = level.contact->solve(coarse_step(request, warm, request.undeformed_gap, request.mask), {{request.p}, {}});
   } else {
     const auto points = static_cast<std::size_t>(system.nx * system.ny);
     std::vector<double> gap, p;
     std::vector<std::uint8_t> mask;
     const bool masked = all.any(request.mask != nullptr);
-    on_all(&all, [&] {
+    all.on_all([&] {
       gap.resize(points);
       p.resize(points);
       mask.resize(masked ? points : 0);
     });
-    ranks.gather_rows(request.undeformed_gap, system.nx, gap.data());
-    if (masked) ranks.gather_rows(request.mask, system.nx, mask.data());
-    result.p = p.data();
-    level.contact->work().passes_over = false;
+    half.gather_rows(request.undeformed_gap, system.nx, gap.data());
+    if (masked) half.gather_rows(request.mask, system.nx, mask.data());
     try {
-      status = level.contact->solve(step_of(request, work.record.warm, gap.data(), masked ? mask.data() : nullptr), result);
+      found = level.contact->solve(coarse_step(request, warm, gap.data(), masked ? mask.data() : nullptr), {{p.data()}, {}});
     } catch (const Error& error) {
       if (error.code() == RC_ERR_MEMORY) throw;
-      status = error.code();  // that of every rank, so the solve goes on without this grid
+      found.status = error.code();  // that of every process, so the solve goes on without this grid
       set_message(error.what());
     }
-    std::copy_n(p.data() + ranks.first_row() * system.nx, ranks.rows() * system.nx, request.p);
+    std::copy_n(p.data() + half.first_row() * system.nx, half.own_rows(0) * system.nx, request.p);
   }
-  request.approach = result.approach;
+  request.approach = found.approach;
   levels_.erase(system.nx * system.ny);  // the iteration that follows needs the memory
-  return all.stop() != RC_OK ? all.stop() : status;
+  const rc_status stop = all.stop().value_or(RC_OK);
+  return stop != RC_OK ? stop : found.status;
 }
 
 void SolverGrids::clear() { levels_.clear(); }

@@ -9,20 +9,19 @@
 #include <memory>
 #include <vector>
 
+#include "contact/problem.h"
+
 namespace rc {
 
 class GridContact;
-class Ranks;
-class Monitor;
-class Workspace;
 
-class SolverGrids {
+class SolverGrids : public CoarseGrids {
  public:
   SolverGrids();
-  ~SolverGrids();
+  ~SolverGrids() override;
 
-  // work: of the finest grid. monitor: of its step.
-  rc_status solve(rc_coarse& request, const Workspace& work, const Monitor& monitor);
+  std::unique_ptr<CoarseGrids> another() const override;
+  rc_status solve(rc_coarse& request, const GridProblem& problem, const Attempt& attempt) override;
   // Solution i of the current step, the coarsest first. Throws Error(ARGUMENT).
   void describe(std::int64_t i, rc_level& out) const;
   std::int64_t current() const;  // how many there are
@@ -32,10 +31,9 @@ class SolverGrids {
   void clear();
 
  private:
-  rc_status solve_shared(rc_coarse& request, const Workspace& work, const rc_system& system, rc_options options);
+  rc_status solve_shared(rc_coarse& request, const GridProblem& problem, bool warm, const rc_system& system, rc_options options);
 
   struct Level {
-    std::unique_ptr<Ranks> ranks;  // of the contact, where ranks share it
     std::unique_ptr<GridContact> contact;
     rc_level summary{};
     std::vector<double> p;

@@ -48,16 +48,16 @@ void Memory::surface_is(bool same) {
   before.same_gap = before.same_gap && same;
 }
 
-double Memory::ahead(const rc_step& step) const {
-  if (step.p0 || !step.warm_start || !last.same_gap || !before.same_gap) return 0;
-  const bool by_load = step.control == RC_CONTROL_LOAD;
+double Memory::ahead(const Step& step) const {
+  if (step.p0 || !step.warm || !last.same_gap || !before.same_gap) return 0;
+  const bool by_load = step.target.by_load();
   const double newest = by_load ? last.load : last.approach, older = by_load ? before.load : before.approach;
-  const double part = (step.target - newest) / (newest - older);
+  const double part = (step.target.value - newest) / (newest - older);
   // Pressures are not linear in the target: far ahead, or back beyond the older step, the line is a poor guess.
   return part >= -1 && part <= 2 ? part : 0;
 }
 
-std::vector<double> Memory::start(const rc_step& step, const TrialSet& trial, double pressure_unit, double cap,
+std::vector<double> Memory::start(const Step& step, const TrialSet& trial, double pressure_unit, double cap,
                                   const Pressures* nearer, const rc_team& team) const {
   std::vector<double> p;
   if (nearer) {
@@ -65,7 +65,7 @@ std::vector<double> Memory::start(const rc_step& step, const TrialSet& trial, do
   } else if (step.p0) {
     p = large_vector<double>(static_cast<std::size_t>(trial.n));
     for (std::size_t i = 0; i < p.size(); ++i) p[i] = step.p0[trial.point(static_cast<std::int64_t>(i))];
-  } else if (step.warm_start && !last.pressures.empty()) {
+  } else if (step.warm && !last.pressures.empty()) {
     p = last.pressures.at(trial);
     if (const double part = ahead(step); part != 0) {
       const std::vector<double> older = before.pressures.at(trial);
@@ -78,15 +78,15 @@ std::vector<double> Memory::start(const rc_step& step, const TrialSet& trial, do
   return p;
 }
 
-KeptHistory Memory::history(const rc_step& step) const {
-  const bool from_last = !step.p0 && step.warm_start && !last.pressures.empty();
+KeptSteps Memory::history(const Step& step) const {
+  const bool from_last = !step.p0 && step.warm && !last.pressures.empty();
   return {from_last ? last.kept : KeptAnswer{}, before.kept, ahead(step), {}};
 }
 
-std::vector<double> Memory::earlier(const rc_step& step, const TrialSet& trial) const {
+std::vector<double> Memory::earlier(const Step& step, const TrialSet& trial) const {
   std::vector<double> p;
   for (std::int64_t i = 0; step.p0 && i < trial.n; ++i) p.push_back(std::max(0.0, step.p0[trial.point(i)]));
-  if (!step.p0 && step.warm_start && !last.pressures.empty()) p = last.pressures.at(trial);
+  if (!step.p0 && step.warm && !last.pressures.empty()) p = last.pressures.at(trial);
   return p;
 }
 

@@ -146,7 +146,7 @@ class Proof {
     work_ = found.work;
   }
 
-  // Sums over the points that touch, in their order; of ranks that share the grid, piece by piece.
+  // Sums over the points that touch, in their order; piece by piece if processes share the rows.
   template <class Part, class Add> Part sum_of_touching(const Add& add) const {
     return surface_.sum_over<Part>(std::span<const std::size_t>(found_.touching), add);
   }
@@ -355,18 +355,6 @@ class Proof {
 };
 
 }  // namespace
-
-void Bounds::write(rc_result& result) const {
-  result.duality_gap = duality_gap;
-  result.load_lower = load_lower;
-  result.load_upper = load_upper;
-  result.area_lower = area_lower;
-  result.area_upper = area_upper;
-  result.proven_contacts = proven_contacts;
-  result.proven_open = proven_open;
-  result.undecided = undecided;
-  result.proven_capped = proven_capped;
-}
 
 Bounds prove_bounds(const System& system, const Spectrum& spectrum, const StepSurface& surface, double compression,
                     const Deflected& answer, const Survey& found, ProvenSets* sets) {

@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
-#include "contact/proof/spectrum.h"
 #include "contact/proof/survey.h"
+#include "contact/spectrum.h"
 #include "contact/surface/pressures.h"
 #include "contact/surface/step_surface.h"
 #include "contact/system.h"
@@ -18,8 +18,6 @@ struct Bounds {
   double load_lower = duality_gap, load_upper = duality_gap;      // [force]
   double area_lower = duality_gap, area_upper = duality_gap;      // [length^2]
   std::int64_t proven_contacts = -1, proven_open = -1, undecided = -1, proven_capped = -1;
-
-  void write(rc_result& result) const;
 };
 
 // The points that these statements are about, in ascending order.

@@ -10,7 +10,7 @@ namespace rc {
 
 namespace {
 
-// Of all ranks the pressures' ends, and the largest violations.
+// The pressures' ends in all processes, and the largest violations.
 struct Ends {
   double largest = 0, least = 0;
   Ends operator+(const Ends& b) const { return {std::max(largest, b.largest), std::min(least, b.least)}; }
@@ -39,7 +39,7 @@ Certificate certify(const StepSurface& surface, double compression, const Deflec
   const auto [overlap, worst, finite] = surface.combined_over<Violations>(found.touching, [&](Violations& part, std::size_t k) {
     const std::size_t i = answer.point(k);
     if (!surface.included(i)) return;
-    const double gap = answer.product[k] - (compression - surface.height(i));
+    const double gap = deformed_gap(answer.product[k], compression, surface.height(i));
     part.finite = part.finite && std::isfinite(p[k]) && std::isfinite(gap);
     part.overlap = std::max(part.overlap, dual_violation(gap, p[k], hardness, scale));
     part.worst = std::max(part.worst, complementarity_violation(gap, p[k], largest_p, hardness, scale));

@@ -1,6 +1,8 @@
 // The library's own check of an answer, from one fresh product with H over all points.
 #pragma once
 
+#include <algorithm>
+
 #include "contact/proof/survey.h"
 #include "contact/surface/pressures.h"
 #include "contact/surface/step_surface.h"
@@ -14,6 +16,7 @@ struct Certificate {
   double control = 0;          // |load - W| / W
 
   bool within(double tol) const;  // false if any is NaN
+  double worst() const { return std::max({primal, dual, complementarity, control}); }
 };
 
 // g is the deformed gap, c the hardness, which may be infinite. Excluded points have p = 0 and do not count; points that are not

@@ -29,11 +29,11 @@ std::vector<Sample> samples_of(const StepSurface& surface, std::int64_t nx, std:
     for (std::int64_t i = 0; i < mx; ++i) {
       const std::int64_t x = (2 * i + 1) * nx / (2 * mx), row = (2 * j + 1) * ny / (2 * my), y = row - surface.first_row();
       const auto point = static_cast<std::size_t>(y * nx + x);
-      if (y < 0 || y >= surface.points() / nx) continue;  // another rank's
+      if (y < 0 || y >= surface.points() / nx) continue;  // another process's
       if (surface.included(point))
         samples.push_back({static_cast<double>(x), static_cast<double>(row), surface.height(point) / surface.range()});
     }
-  return surface.ranks() ? surface.ranks()->of_any(samples) : samples;
+  return surface.company().joined(std::move(samples));
 }
 
 // The mean height of the samples at x or y = place.
@@ -102,29 +102,28 @@ double RimPoints::share() const {
   return any_ ? 1 - inner / (static_cast<double>(nx_) * static_cast<double>(ny_)) : 0;
 }
 
-std::string edge_effects(const rc_result& result, const Rim& rim, double tilt) {
+std::string edge_effects(double of_punch, const Rim& rim, double tilt) {
   std::string seen;
   if (tilt > most_tilt) return seen;  // such a map touches at its edge because of that
   if (rim.load > rim.points)
     seen = text("%.0f %% of the load", 100 * rim.load) + (rim.largest ? " and the largest pressure" : "") + " at the rim";
   else if (rim.largest)
     seen = "the largest pressure at the rim";
-  const double of_punch = result.stiffness / result.punch_stiffness;
   if (of_punch > most_of_punch) seen += (seen.empty() ? "" : ", ") + text("stiffness %.2g of a flat punch", of_punch);
   return seen.empty() ? "" : "free edges: " + seen + " (a sample is periodic)";
 }
 
-std::vector<std::string> doubts(const System& system, const rc_result& result, double compression, double tilt) {
+std::vector<std::string> doubts(const System& system, double mean_pressure, std::int64_t contacts, double compression,
+                                double tilt) {
   const rc_system& s = system.given;
   std::vector<std::string> remarks;
-  if (result.mean_pressure > most_mean_pressure * s.modulus)
-    remarks.push_back(text("mean pressure %.3g E*: check the units", result.mean_pressure / s.modulus));
+  if (mean_pressure > most_mean_pressure * s.modulus)
+    remarks.push_back(text("mean pressure %.3g E*: check the units", mean_pressure / s.modulus));
   if (s.hardness > 0 && s.hardness < least_hardness * s.modulus)
     remarks.push_back(text("hardness %.3g E*: check the units", s.hardness / s.modulus));
   if (compression > std::max(s.hx * static_cast<double>(s.nx), s.hy * static_cast<double>(s.ny)))
     remarks.emplace_back("approach above the grid's side: check the units");
-  if (result.contacts == 1 && system.points() > 1)
-    remarks.emplace_back("one point in contact: check the pitch, or the map for a spike");
+  if (contacts == 1 && system.points() > 1) remarks.emplace_back("one point in contact: check the pitch, or the map for a spike");
   if (tilt > most_tilt) remarks.push_back(text("a plane is %.0f %% of the heights' variance: level them", 100 * tilt));
   return remarks;
 }

@@ -41,8 +41,10 @@ struct Rim {
 };
 
 // Remarks on a half-space in contact, the gravest first. tilt: plane_share.
-std::vector<std::string> doubts(const System& system, const rc_result& result, double compression, double tilt);
+std::vector<std::string> doubts(const System& system, double mean_pressure, std::int64_t contacts, double compression,
+                                double tilt);
 // A remark on how free edges shape the result; "" if they do not, or if a tilt explains it.
-std::string edge_effects(const rc_result& result, const Rim& rim, double tilt);
+// of_punch: its stiffness over that of a flat punch as large as the grid.
+std::string edge_effects(double of_punch, const Rim& rim, double tilt);
 
 }  // namespace rc

@@ -1,47 +1,61 @@
-// Turns an answer on a trial set into a certified result.
+// Turns an answer on a trial set into a certified result. What is said of a step is in Numbers; the caller's arrays are apart
+// from it.
 #pragma once
 
-#include <optional>
+#include <cstddef>
+#include <cstdio>
+#include <limits>
 
-#include "contact/step/answer.h"
-#include "contact/step/monitor.h"
-#include "contact/workspace.h"
+#include "contact/answer.h"
+#include "contact/problem.h"
+#include "contact/proof/bounds.h"
+#include "contact/proof/certificate.h"
+#include "contact/slopes/stiffness.h"
+#include "contact/surface/outputs.h"
+#include "contact/target.h"
 
 namespace rc {
 
-struct Survey;
+// Sums over the pressures of all processes.
+struct Totals {
+  double sum = 0;  // [force/length^2]
+  double energy = 0, overlap = 0, max_pressure = 0, largest_p = 0, largest_product = 0, on_rim = 0, largest_on_rim = 0;
+  std::int64_t contacts = 0, capped = 0;
 
-struct Finished {
-  rc_status status = RC_OK;  // the result's
-  Pressures pressures = {};  // of use only if the step is certified or within its goal
-  Overlap overlap = {};      // likewise: where the pressures are the hardness
-  KeptAnswer kept = {};      // likewise: of the pressures
+  Totals operator+(const Totals& b) const;
 };
 
-// Certifies the answer of a step, writes the result and at last the caller's arrays. answer: default constructed where nothing
-// touches, or where a stop came before any answer.
-Finished certified_result(Workspace& work, const rc_step& step, Answer&& answer, const Monitor& monitor, rc_result& result);
-// The same for the pressures in result.p or result.p_single. compression: by load; without it the one that fits them. Of what is
-// finished only status and overlap are set.
-Finished certify_given(Workspace& work, const rc_step& step, const Monitor& monitor, rc_result& result,
-                       std::optional<double> compression = std::nullopt);
+// What a step cost.
+struct Work {
+  std::int64_t iterations = 0, products = 0, levels = 0;
+  double seconds = 0, setup_seconds = 0;
+};
 
-// The parts of certified_result, for answers that are finished in another way.
+// As much of the text as fits.
+template <std::size_t size> void copy_text(char (&to)[size], const char* text) { std::snprintf(to, size, "%s", text); }
 
-// H p by the certifying operator: over all points if `everywhere`, else at least over those that the certificate needs. Takes
-// the pressures out of the answer, but where the operator has screened all points.
-Deflected deflected(Workspace& work, Answer& answer, bool everywhere);
-// The compression at which the mean of the gap, weighted by the pressures, vanishes where these are below the hardness; where
-// none is, the least at which all points with pressure touch.
-double fitting_compression(const Workspace& work, const Deflected& answer);
-// Writes certificate, bounds and all that follows from pressures, product and stiffness. Returns RC_OK or RC_UNCERTIFIED.
-rc_status certify_and_fill(Workspace& work, const rc_step& step, const Deflected& answer, double compression, double stiffness,
-                           rc_result& result);
-// Over the included points [length], from a survey of all points. overlap: the sum over the points at the hardness, whose gap is
-// 0.
-double mean_gap(const Workspace& work, const Survey& everywhere, double overlap);
-void name_components(Workspace& work, const Answer& answer, rc_result& result);
-void count_work(const Workspace& work, const Monitor& monitor, rc_result& result);
-void write_arrays(const Workspace& work, const Deflected& answer, double compression, const rc_result& result);
+// All that rc_result says.
+struct Numbers {
+  rc_status status = RC_OK;
+  Totals totals = {};
+  double approach = 0;  // [length]
+  std::int64_t candidates = 0, modelled = 0;
+  Certificate certificate = {};
+  double tolerance = 0;
+  Bounds bounds = {};
+  double mean_gap = std::numeric_limits<double>::quiet_NaN();  // [length]
+  StiffnessInterval stiffness = {};
+  double punch_stiffness = std::numeric_limits<double>::quiet_NaN();
+  Work work = {};
+  // Texts of a fixed size: once the caller's arrays are written, nothing may lack memory.
+  char solver[sizeof rc_result::solver] = "none", backend[sizeof rc_result::backend] = "none", note[sizeof rc_result::note] = "";
+  rc_accuracy accuracy = RC_ACCURACY_INIT;
+
+  double load(const System& system) const { return totals.sum * system.cell_area(); }
+  double contact_area(const System& system) const { return static_cast<double>(totals.contacts) * system.cell_area(); }
+};
+
+// Writes all members but the arrays. Nothing else writes any.
+void write(const Numbers& numbers, const System& system, rc_result& result);
 
 }  // namespace rc

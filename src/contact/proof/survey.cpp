@@ -20,7 +20,7 @@ struct Terms {
 
 constexpr double largest_double = std::numeric_limits<double>::max();
 
-// The gaps of ranks are summed by pieces of rows, whose borders do not depend on how many ranks there are.
+// By pieces of rows, whose borders do not depend on how many processes share them.
 double sum_by_pieces(const StepSurface& surface, double compression, const Deflected& answer) {
   const auto add = [&](Terms& part, std::size_t k) {
     const std::size_t i = answer.point(k);
@@ -100,7 +100,7 @@ Survey survey(const StepSurface& surface, double compression, const Deflected& a
   };
   const Terms mine = reduce<Terms>(n, surface.team(), body), all = surface.united(mine);
   return {touching.list(), all.largest_product, all.largest_gap,
-          surface.ranks() ? sum_by_pieces(surface, compression, answer) : mine.sum_of_gaps};
+          surface.company().keeps_all_points() ? sum_by_pieces(surface, compression, answer) : mine.sum_of_gaps};
 }
 
 }  // namespace rc

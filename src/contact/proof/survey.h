@@ -1,4 +1,4 @@
-// Passes over an answer's entries by all threads, for what is then told of few of them. Numbers and extents are of all ranks,
+// Passes over an answer's entries by all threads, for what is then told of few of them. Numbers and extents are of all processes,
 // entries of this one.
 #pragma once
 
@@ -18,7 +18,7 @@ struct Survey {
   std::vector<std::size_t> touching;
   double largest_product = 0;  // [length] of the sizes of H p
   double largest_gap = 0;      // [length] of the sizes of the deformed gap, at included points
-  double sum_of_gaps = 0;      // [length] at included points; the same bits for any number of threads and ranks
+  double sum_of_gaps = 0;      // [length] at included points; the same bits for any number of threads and processes
 };
 
 Survey survey(const StepSurface& surface, double compression, const Deflected& answer);

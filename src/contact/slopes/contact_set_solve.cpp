@@ -5,9 +5,9 @@
 #include <limits>
 #include <utility>
 
+#include "core/company.h"
 #include "core/conjugate_gradients.h"
 #include "core/error.h"
-#include "core/ranks.h"
 #include "core/stall.h"
 #include "core/sums.h"
 
@@ -41,9 +41,9 @@ std::int64_t turn_of(std::int64_t n) { return static_cast<std::int64_t>(turned_b
 // Periodic trees see no neighbours across the grid's sides: a second pair, whose sides lie elsewhere, does. Over few points it
 // costs little.
 ContactSetSolve::ContactSetSolve(Operator& op, std::span<const std::int64_t> set, const rc_grid& grid, double lowest,
-                                 const rc_team& team, const Coefficients& coefficients, const Ranks* ranks)
-    : op_(op), team_(team), ranks_(ranks), lowest_(lowest) {
-  on_all(ranks, [&] {
+                                 const rc_team& team, const Coefficients& coefficients, const Company& company)
+    : op_(op), team_(team), company_(company), lowest_(lowest) {
+  company.on_all([&] {
     set_.assign(set.begin(), set.end());
     TreeInputs inputs = tree_inputs(grid, grid.nx * grid.ny, coefficients);
     if (inputs.table.mean > 0) {
@@ -54,10 +54,13 @@ ContactSetSolve::ContactSetSolve(Operator& op, std::span<const std::int64_t> set
       lowest_ = std::min(lowest, mean_ * static_cast<double>(grid.nx * grid.ny));
     }
     trees_.push_back(trees_at(inputs, 0, 0));
-    if (ranks) {
-      const std::int64_t piece = ranks->piece_rows() * grid.nx;
-      for (std::int64_t k = 0; k <= ranks->pieces_of(ranks->rank()); ++k)
-        pieces_.push_back(static_cast<std::size_t>(std::lower_bound(set_.begin(), set_.end(), k * piece) - set_.begin()));
+    pieces_ = {0, set_.size()};
+    if (company.keeps_all_points()) {
+      const Chunks pieces = company.chunks(grid.nx);
+      const std::int64_t points = op.trial().n;
+      pieces_ = {0};
+      for (std::int64_t k = 1; k <= pieces.count(points); ++k)
+        pieces_.push_back(static_cast<std::size_t>(std::lower_bound(set_.begin(), set_.end(), k * pieces.values) - set_.begin()));
       std::get<Vectors<float>>(vectors_).resize(op.trial());
       std::get<Vectors<double>>(vectors_).resize(op.trial());
       return;
@@ -72,16 +75,17 @@ ContactSetSolve::ContactSetSolve(Operator& op, std::span<const std::int64_t> set
 ContactSetSolve::Trees ContactSetSolve::trees_at(const TreeInputs& inputs, std::int64_t x, std::int64_t y) const {
   const bool around = inputs.table.mean > 0;
   const std::int64_t nx = inputs.cells.mx, ny = inputs.cells.my, width = around ? nx : nx + x, height = around ? ny : ny + y;
-  const std::size_t before = ranks_ ? static_cast<std::size_t>(nx) : 0;
+  const bool every_cell = company_.keeps_all_points();
+  const std::size_t before = every_cell ? static_cast<std::size_t>(nx) : 0;
   std::vector<std::size_t> place;
   for (const std::int64_t position : set_) {
     const std::int64_t point = op_.trial().point(position);
     place.push_back(before + static_cast<std::size_t>((point / nx + y) % height * width + (point % nx + x) % width));
   }
   Cells cells{width, height, {}, {}};
-  const std::size_t all = before + static_cast<std::size_t>(width * (ranks_ ? ranks_->rows() : height));
-  std::vector<std::uint8_t> active(ranks_ || all < sparse * place.size() || all <= small_grid ? all : 0);
-  if (!ranks_ && active.empty()) {
+  const std::size_t all = before + static_cast<std::size_t>(width * company_.own_rows(height));
+  std::vector<std::uint8_t> active(every_cell || all < sparse * place.size() || all <= small_grid ? all : 0);
+  if (!every_cell && active.empty()) {
     std::vector<std::size_t> sorted = place;
     std::sort(sorted.begin(), sorted.end());
     for (const std::size_t at : sorted) {
@@ -94,7 +98,7 @@ ContactSetSolve::Trees ContactSetSolve::trees_at(const TreeInputs& inputs, std::
   }
   for (const std::size_t at : place) active[at] = 1;
   const std::vector<float> none(active.size());
-  Trees trees{HaarTreePair(std::move(cells), inputs.table, sharp, ranks_),
+  Trees trees{HaarTreePair(std::move(cells), inputs.table, sharp, company_.rows()),
               std::move(place),
               std::move(active),
               none,
@@ -106,24 +110,26 @@ ContactSetSolve::Trees ContactSetSolve::trees_at(const TreeInputs& inputs, std::
   return trees;
 }
 
-template <class... Terms> std::array<double, sizeof...(Terms)> ContactSetSolve::sums(std::size_t n, const Terms&... terms) const {
-  if (!ranks_) return {sum_of(n, terms)...};
+template <class... Terms> std::array<double, sizeof...(Terms)> ContactSetSolve::sums(const Terms&... terms) const {
   struct Part {
     std::array<double, sizeof...(Terms)> sum;
+    Part operator+(const Part& other) const {
+      Part result = *this;
+      for (std::size_t i = 0; i < sum.size(); ++i) result.sum[i] += other.sum[i];
+      return result;
+    }
   };
-  for (std::size_t k = 0; k + 1 < pieces_.size(); ++k) {
-    const std::size_t begin = pieces_[k], count = pieces_[k + 1] - begin;
-    ranks_->put_part(k, Part{{sum_of(count, [&](std::size_t i) { return terms(begin + i); })...}});
-  }
-  std::array<double, sizeof...(Terms)> total{};
-  ranks_->each_part<Part>([&](const Part& part) {
-    for (std::size_t i = 0; i < total.size(); ++i) total[i] += part.sum[i];
-  });
-  return total;
+  return company_
+      .total<Part>(pieces_.size() - 1,
+                   [&](std::size_t k) {
+                     const std::size_t begin = pieces_[k], count = pieces_[k + 1] - begin;
+                     return Part{{sum_of(count, [&](std::size_t i) { return terms(begin + i); })...}};
+                   })
+      .sum;
 }
 
 double ContactSetSolve::dot(std::span<const double> a, std::span<const double> b) const {
-  return sums(a.size(), [&](std::size_t i) { return a[i] * b[i]; })[0];
+  return sums([&](std::size_t i) { return a[i] * b[i]; })[0];
 }
 
 // q = A t
@@ -132,7 +138,7 @@ template <class Real> rc_status ContactSetSolve::multiply(std::span<const double
   auto& [spread, product] = std::get<Vectors<Real>>(vectors_);
   for (std::size_t k = 0; k < t.size(); ++k) spread[static_cast<std::size_t>(set_[k])] = static_cast<Real>(t[k]);
   const rc_status status = product_of(op_, spread.data(), product.data());
-  const double shift = mean_ > 0 ? mean_ * sums(t.size(), [&](std::size_t k) { return t[k]; })[0] : 0;
+  const double shift = mean_ > 0 ? mean_ * sums([&](std::size_t k) { return t[k]; })[0] : 0;
   for (std::size_t k = 0; k < t.size(); ++k) q[k] = static_cast<double>(product[static_cast<std::size_t>(set_[k])]) + shift;
   return status;
 }
@@ -163,15 +169,15 @@ template <class Enough>
 ConjugateGradientsEnd ContactSetSolve::descend(std::span<double> x, std::vector<double>& r, std::vector<double>& z, double size,
                                                const bool& single, const Enough& enough) {
   std::vector<double> first, second;
-  on_all(ranks_, [&] {
+  company_.on_all([&] {
     first.assign(r.size(), 0.0);
     second.resize(r.size());
   });
   const auto turn = [&](int step, double, double curvature, const std::vector<double>& q, std::vector<double>& t) {
     precondition(r, size, z);
-    const auto [along_z, along_t, turned] = sums(
-        r.size(), [&](std::size_t i) { return r[i] * z[i]; }, [&](std::size_t i) { return r[i] * t[i]; },
-        [&](std::size_t i) { return z[i] * q[i]; });
+    const auto [along_z, along_t, turned] =
+        sums([&](std::size_t i) { return r[i] * z[i]; }, [&](std::size_t i) { return r[i] * t[i]; },
+             [&](std::size_t i) { return z[i] * q[i]; });
     const double beta = step > 0 ? -turned / curvature : 0;
     for (std::size_t i = 0; i < t.size(); ++i) t[i] = z[i] + beta * t[i];
     return (along_z + beta * along_t) / size;
@@ -179,16 +185,14 @@ ConjugateGradientsEnd ContactSetSolve::descend(std::span<double> x, std::vector<
   const auto multiply_by = [&](const std::vector<double>& t, std::vector<double>& q) {
     return single ? multiply<float>(t, q) : multiply<double>(t, q);
   };
-  const auto sum = [&](std::size_t n, const auto& term) { return sums(n, term)[0]; };
+  const auto sum = [&](std::size_t, const auto& term) { return sums(term)[0]; };
   return conjugate_gradients(x, r, size, first, second, sum, multiply_by, enough, turn);
 }
 
 double ContactSetSolve::largest_of(std::span<const double> x) const {
   double largest = 0;
   for (const double value : x) largest = std::max(largest, std::abs(value));
-  if (!ranks_) return largest;
-  const std::vector<double> all = ranks_->of_each(largest);
-  return *std::max_element(all.begin(), all.end());
+  return company_.largest(largest);
 }
 
 // The multiple of x nearest to A^-1 b in the norm of the energy, and its residual.
@@ -201,7 +205,7 @@ rc_status ContactSetSolve::rough_start(std::span<const double> b, std::span<doub
   }
   for (double& value : x) value /= largest;
   std::vector<double> product;
-  on_all(ranks_, [&] { product.resize(x.size()); });
+  company_.on_all([&] { product.resize(x.size()); });
   const rc_status status = (op_.capabilities() & RC_CAP_FLOAT) != 0 ? multiply<float>(x, product) : multiply<double>(x, product);
   if (status != RC_OK) return status;
   const double along = dot(b, x), curvature = dot(x, product), length = along > 0 && curvature > 0 ? along / curvature : 0;
@@ -217,7 +221,7 @@ rc_status ContactSetSolve::rough_start(std::span<const double> b, std::span<doub
 rc_status ContactSetSolve::form(std::span<const double> b, double tol, double mean, std::span<double> x, ContactSetBound& bound) {
   const double size = std::sqrt(dot(b, b));
   std::vector<double> r, z;
-  on_all(ranks_, [&] {
+  company_.on_all([&] {
     r.resize(b.size());
     z.resize(b.size());
   });
@@ -255,7 +259,7 @@ rc_status ContactSetSolve::form(std::span<const double> b, double tol, double me
 rc_status ContactSetSolve::solve(std::span<const double> b, double tol, std::span<double> x, ContactSetBound& bound) {
   const double size = std::sqrt(dot(b, b));
   std::vector<double> r, z;
-  on_all(ranks_, [&] {
+  company_.on_all([&] {
     r.assign(b.begin(), b.end());
     z.resize(b.size());
   });

@@ -1,6 +1,6 @@
 // A x = b on the contact set C of a half-space, A = H[C,C] + mean() 11', for operators that multiply but cannot factor: conjugate
-// gradients with the trees of haar-cg. Ranks that share the grid by rows each have the points of their rows, and make three sums
-// over all ranks an iteration.
+// gradients with the trees of haar-cg. Processes that share the grid by rows each have the points of their rows, and make three
+// sums together an iteration.
 #pragma once
 
 #include <roughcontact/plugin.h>
@@ -13,6 +13,7 @@
 #include <tuple>
 #include <vector>
 
+#include "core/company.h"
 #include "operator/operator.h"
 #include "solvers/haar_cg/tree/tree_inputs.h"
 #include "solvers/haar_cg/tree/tree_pair.h"
@@ -31,10 +32,10 @@ struct ContactSetBound {
 class ContactSetSolve {
  public:
   // set: ascending positions in the operator's trial set. grid: the operator's, without an index. lowest: a bound from below of
-  // the eigenvalues of H, > 0; where it is periodic, of those of all waves but the mean. ranks: null, or those that share the
-  // grid, whose operator has all points of this rank's rows. `op`, `team` and `ranks` must outlive it.
+  // the eigenvalues of H, > 0; where it is periodic, of those of all waves but the mean. By rows the operator has
+  // all points of this process. `op` and `team` must outlive it.
   ContactSetSolve(Operator& op, std::span<const std::int64_t> set, const rc_grid& grid, double lowest, const rc_team& team,
-                  const Coefficients& coefficients, const Ranks* ranks = nullptr);
+                  const Coefficients& coefficients, const Company& company = {});
 
   // 0 but where the grid is periodic: a periodic operator may lack a mean, and hardly resists one where nearly all points touch.
   double mean() const { return mean_; }
@@ -68,8 +69,8 @@ class ContactSetSolve {
   };
 
   Trees trees_at(const TreeInputs& inputs, std::int64_t x, std::int64_t y) const;
-  // The sums of several terms over the set; of ranks, piece of rows by piece.
-  template <class... Terms> std::array<double, sizeof...(Terms)> sums(std::size_t n, const Terms&... terms) const;
+  // The sums of several terms over the set, piece of rows by piece.
+  template <class... Terms> std::array<double, sizeof...(Terms)> sums(const Terms&... terms) const;
   double dot(std::span<const double> a, std::span<const double> b) const;
   rc_status solve(std::span<const double> b, double tol, std::span<double> x, ContactSetBound& bound);
   rc_status rough_start(std::span<const double> b, std::span<double> x, std::span<double> r);
@@ -82,9 +83,9 @@ class ContactSetSolve {
 
   Operator& op_;
   const rc_team& team_;
-  const Ranks* ranks_;
+  const Company company_;
   std::vector<std::int64_t> set_;
-  std::vector<std::size_t> pieces_;  // of ranks: where in the set each of this rank's pieces begins, and the last ends
+  std::vector<std::size_t> pieces_;  // where in the set each piece of rows begins, and the last ends; alone: one
   double mean_ = 0, lowest_ = 0;     // lowest_: bound of the eigenvalues of A
   std::vector<Trees> trees_;
   std::tuple<Vectors<float>, Vectors<double>> vectors_;

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "contact/operators.h"
 #include "contact/slopes/subset_solve.h"
-#include "contact/step/trial_set.h"
 #include "core/error.h"
 #include "core/sums.h"
 
@@ -40,18 +40,22 @@ void check_finite(double value, const char* name) {
 // of b: H is dimensionless where the operator applies it.
 class Linearised {
  public:
-  Linearised(Workspace& work, const Memory& memory, const Monitor& monitor)
-      : work_(work), monitor_(monitor), before_(work.products()), loaded_(memory.last.pressures.positive(work.team())) {
-    if (work.record.certified == 0)
+  Linearised(const GridProblem& problem, const Memory& memory, const StepOutcome& last, const Monitor& monitor)
+      : problem_(problem),
+        last_(last),
+        monitor_(monitor),
+        before_(problem.operators().spent().products),
+        loaded_(memory.last.pressures.positive(problem.team())) {
+    if (last.certified == 0)
       fail(RC_ERR_ARGUMENT,
            "the last step on the given grid did not return RC_OK, or there was none since the contact was made, ",
            "reset or restored: only a certified step has derivatives");
-    const double depth = memory.last.approach - work.surface.lowest();
+    const double depth = memory.last.approach - problem.surface.lowest();
     for (std::size_t k = 0; k < loaded_.p.size(); ++k) {
       if (loaded_.p[k] >= system().hardness) continue;
       set_.push_back(loaded_.on.index[k]);
       among_loaded_.push_back(k);
-      u_.push_back(depth - work.surface.height(point(set_.size() - 1)));
+      u_.push_back(depth - problem.surface.height(point(set_.size() - 1)));
     }
     if (by_load() && loaded_.empty())
       fail(RC_ERR_ARGUMENT, "the load is 0: no point carries pressure, so that the approach has no derivative; give a load > 0");
@@ -60,17 +64,17 @@ class Linearised {
            ": the load does not determine the approach, which has no derivative; give a smaller load");
   }
 
-  bool by_load() const { return work_.record.certified == RC_CONTROL_LOAD; }
-  const System& system() const { return work_.system; }
+  bool by_load() const { return last_.certified == RC_CONTROL_LOAD; }
+  const System& system() const { return problem_.system; }
   std::size_t n() const { return set_.size(); }
   std::size_t point(std::size_t k) const { return static_cast<std::size_t>(set_[k]); }
   const Field& u() const { return u_; }
   const Field& loaded() const { return loaded_.p; }  // the pressures
   std::size_t among_loaded(std::size_t k) const { return among_loaded_[k]; }
-  bool included(std::size_t i) const { return work_.surface.included(i); }
+  bool included(std::size_t i) const { return problem_.surface.included(i); }
   double unit() const { return system().length_per_pressure; }
-  std::int64_t undecided() const { return work_.record.undecided; }
-  std::int64_t products() const { return work_.products() - before_; }
+  std::int64_t undecided() const { return last_.undecided; }
+  std::int64_t products() const { return problem_.operators().spent().products - before_; }
 
   // Values given for all points: NaN counts where no mask excludes the point.
   void check(const double* values, const char* name) const {
@@ -88,10 +92,9 @@ class Linearised {
       if (touches || (included(static_cast<std::size_t>(i)) && x[i] != 0)) trial.index.push_back(i);
     }
     trial = all_if_full(std::move(trial.index));
-    const Choice kept = work_.record.choice;  // this product may need another backend
-    const Choice choice = choose_for(trial, work_.record.certified, work_);
-    work_.record.choice = kept;
-    Operator& op = work_.bound_operator(*choice.backend, trial);
+    // This product may need another backend than the step.
+    const Choice choice = choose_for(problem_, trial, last_.certified, last_.failed, false);
+    Operator& op = problem_.operators().bound(*choice.backend, trial);
     const Operator::Watch watch(op, [this] { return monitor_.ask(); });
     Field spread(static_cast<std::size_t>(trial.n)), product(spread.size());
     for (std::size_t i = 0; i < spread.size(); ++i) {
@@ -121,7 +124,7 @@ class Linearised {
   };
   rc_status solve(const Field& b, Solution& out) {
     Operator& op = on(set_);
-    if (!solve_) solve_.emplace(work_, op, all_positions());
+    if (!solve_) solve_.emplace(problem_, op, all_positions());
     const Operator::Watch watch(op, [this] { return monitor_.ask(); });
     double size = 0;
     for (const double value : b) size = std::max(size, std::abs(value));
@@ -130,7 +133,7 @@ class Linearised {
     Field scaled = b;
     for (double& value : scaled) value /= size;
     ContactSetBound bound;
-    const double tol = std::clamp(looser * work_.options.real(RC_OPT_TOL), least_residual, most_residual);
+    const double tol = std::clamp(looser * problem_.options.real(RC_OPT_TOL), least_residual, most_residual);
     rc_status status = (*solve_)(scaled, tol, out.x, bound);
     if (status == RC_OK || status == RC_STOP_STALLED)
       if (const rc_status proof = solve_->prove(scaled, out.x, bound); proof != RC_OK) status = proof;
@@ -167,13 +170,14 @@ class Linearised {
   }
   // The step's operator, bound to these points. Factors of a periodic H exist in full contact only with a mean.
   Operator& on(const std::vector<std::int64_t>& points) {
-    const rc_backend& backend = *work_.record.choice.backend;
+    const rc_backend& backend = *last_.choice.backend;
     TrialSet trial = all_if_full(points);
     if (system().periodic() && backend.subset) trial.zero_mode = system().lambda_most;
-    return work_.bound_operator(backend, trial);
+    return problem_.operators().bound(backend, trial);
   }
 
-  Workspace& work_;
+  const GridProblem& problem_;
+  const StepOutcome& last_;
   const Monitor& monitor_;
   const std::int64_t before_;
   const Pressures loaded_;
@@ -193,8 +197,9 @@ double without_mean(double mean, const Solution& x, const Solution& flat) {
 
 }  // namespace
 
-rc_status differentiate(Workspace& work, const Memory& memory, const Monitor& monitor, rc_gradient& request) {
-  Linearised step(work, memory, monitor);
+rc_status differentiate(const GridProblem& problem, const Memory& memory, const StepOutcome& last, const Monitor& monitor,
+                        rc_gradient& request) {
+  Linearised step(problem, memory, last, monitor);
   const System& system = step.system();
   const double area = system.cell_area();
   step.check(request.dJ_dp, "rc_gradient.dJ_dp");
@@ -253,8 +258,9 @@ rc_status differentiate(Workspace& work, const Memory& memory, const Monitor& mo
   return step.status();
 }
 
-rc_status differentiate(Workspace& work, const Memory& memory, const Monitor& monitor, rc_tangent& request) {
-  Linearised step(work, memory, monitor);
+rc_status differentiate(const GridProblem& problem, const Memory& memory, const StepOutcome& last, const Monitor& monitor,
+                        rc_tangent& request) {
+  Linearised step(problem, memory, last, monitor);
   const System& system = step.system();
   const double area = system.cell_area();
   step.check(request.dundeformed_gap, "rc_tangent.dundeformed_gap");

@@ -5,8 +5,8 @@
 #include <span>
 
 #include "contact/slopes/subset_solve.h"
+#include "core/company.h"
 #include "core/error.h"
-#include "core/ranks.h"
 
 namespace rc {
 
@@ -31,39 +31,40 @@ struct FlatPunch {
   }
 };
 
-// Of all ranks.
-std::int64_t count(const Workspace& work, std::span<const std::int64_t> points) {
-  return work.surface.united(static_cast<std::int64_t>(points.size()));
+// In all processes.
+std::int64_t count(const GridProblem& problem, std::span<const std::int64_t> points) {
+  return problem.surface.united(static_cast<std::int64_t>(points.size()));
 }
 
 enum class Wanted { form, rate, proof };  // to the tolerance: the form alone; or x, of which the form has twice the digits
 
-FlatPunch pressed(Workspace& work, Operator& op, std::span<const std::int64_t> set, std::vector<double> start, Wanted wanted) {
-  SubsetSolve solve(work, op, set);
+FlatPunch pressed(const GridProblem& problem, Operator& op, std::span<const std::int64_t> set, std::vector<double> start,
+                  Wanted wanted) {
+  SubsetSolve solve(problem, op, set);
   FlatPunch punch{RC_OK, std::move(start), {}, solve.mean()};
   std::vector<double> ones;
-  on_all(work.ranks(), [&] {
+  problem.company().on_all([&] {
     ones.assign(set.size(), 1.0);
     punch.rate.resize(set.size());
   });
-  const double tol = std::clamp(work.options.real(RC_OPT_TOL), least_tol, most_tol);
+  const double tol = std::clamp(problem.options.real(RC_OPT_TOL), least_tol, most_tol);
   punch.status =
       wanted == Wanted::form ? solve.form(ones, tol, punch.rate, punch.bound) : solve(ones, tol, punch.rate, punch.bound);
   if (wanted == Wanted::proof && punch.status == RC_OK) punch.status = solve.prove(ones, punch.rate, punch.bound);
   if (solve.iterates())
-    work.options.context->log(
-        RC_LOG_INFO, join("stiffness: residual ", punch.bound.residual / std::sqrt(static_cast<double>(count(work, set)))));
+    problem.options.context->log(
+        RC_LOG_INFO, join("stiffness: residual ", punch.bound.residual / std::sqrt(static_cast<double>(count(problem, set)))));
   return punch;
 }
 
 double in_units(const System& system, double stiffness) { return stiffness * system.cell_area() / system.length_per_pressure; }
 
 // The punch on a set of points of the grid; those it starts from are a part of `from`, or hold it.
-FlatPunch pressed_at(Workspace& work, Operator& op, const std::vector<std::int64_t>& points, const Stiffness& from) {
+FlatPunch pressed_at(const GridProblem& problem, Operator& op, const std::vector<std::int64_t>& points, const Stiffness& from) {
   TrialSet trial;
   std::vector<double> start;
   std::optional<std::vector<std::int64_t>> positions;
-  on_all(work.ranks(), [&] {
+  problem.company().on_all([&] {
     trial.n = static_cast<std::int64_t>(points.size());
     trial.index = points;
     Pressures known;
@@ -72,25 +73,25 @@ FlatPunch pressed_at(Workspace& work, Operator& op, const std::vector<std::int64
     start = known.at(trial);
     positions = positions_in(op.trial(), points);
   });
-  if (!positions) {  // not with ranks, whose operators have all points
-    if (trial.n == work.system.points()) trial.index.clear();
+  if (!positions) {  // not by rows, where operators have all points
+    if (trial.n == problem.system.points()) trial.index.clear();
     op.bind(trial);
     positions = positions_in(trial, points);
   }
-  return pressed(work, op, *positions, std::move(start), Wanted::proof);
+  return pressed(problem, op, *positions, std::move(start), Wanted::proof);
 }
 
 }  // namespace
 
-Stiffness stiffness(Workspace& work, const Answer& answer) {
-  const System& system = work.system;
+Stiffness stiffness(const GridProblem& problem, const Answer& answer) {
+  const System& system = problem.system;
   Stiffness result;
   result.value = 0;
   if (!answer.op) return result;
-  const bool interval = work.options.integer(RC_OPT_STIFFNESS) > 1;  // which may be narrower than the tolerance
+  const bool interval = problem.options.integer(RC_OPT_STIFFNESS) > 1;  // which may be narrower than the tolerance
   std::vector<std::int64_t> contact;
   std::vector<double> grown;
-  on_all(work.ranks(), [&] {
+  problem.company().on_all([&] {
     for (std::size_t i = 0; i < answer.p.size(); ++i)
       if (answer.p[i] > 0 && answer.p[i] < answer.cap()) contact.push_back(static_cast<std::int64_t>(i));
     // Between points in contact at both approaches the pressures have grown as a flat punch's do.
@@ -99,13 +100,13 @@ Stiffness stiffness(Workspace& work, const Answer& answer) {
       if (!interval && !answer.before.empty()) grown.push_back(answer.p[i] * answer.pressure_unit - answer.before[i]);
     }
   });
-  const std::int64_t contacts = count(work, contact);
+  const std::int64_t contacts = count(problem, contact);
   if (contacts == 0) return result;
   if (system.periodic() && contacts == system.points()) {
     result.value = unbounded;
     return result;
   }
-  FlatPunch punch = pressed(work, *answer.op, contact, std::move(grown), interval ? Wanted::rate : Wanted::form);
+  FlatPunch punch = pressed(problem, *answer.op, contact, std::move(grown), interval ? Wanted::rate : Wanted::form);
   result.value =
       punch.status == RC_OK ? in_units(system, punch.stiffness(punch.bound.form)) : std::numeric_limits<double>::quiet_NaN();
   if (punch.status != RC_OK || !interval) return result;
@@ -115,19 +116,19 @@ Stiffness stiffness(Workspace& work, const Answer& answer) {
   return result;
 }
 
-void prove_interval(Workspace& work, Operator* op, Stiffness& stiffness) {
-  const System& system = work.system;
-  const auto& [contacts, possible, listed] = *work.record.proven;
-  const std::int64_t least_points = count(work, contacts), most_points = count(work, possible);
+void prove_interval(const GridProblem& problem, Operator* op, const std::vector<std::int64_t>& contacts,
+                    const std::vector<std::int64_t>& possible, Stiffness& stiffness) {
+  const System& system = problem.system;
+  const std::int64_t least_points = count(problem, contacts), most_points = count(problem, possible);
   double lower = 0, upper = most_points == 0 ? 0 : unbounded;
   if (op && most_points > 0 && !(system.periodic() && most_points == system.points())) {
-    const FlatPunch most = pressed_at(work, *op, possible, stiffness);
+    const FlatPunch most = pressed_at(problem, *op, possible, stiffness);
     if (most.status != RC_OK || std::isnan(most.bound.error)) return;
     upper = most.upper();
     if (least_points == most_points) lower = most.lower();
   }
   if (op && least_points > 0 && least_points != most_points) {
-    const FlatPunch least = pressed_at(work, *op, contacts, stiffness);
+    const FlatPunch least = pressed_at(problem, *op, contacts, stiffness);
     if (least.status != RC_OK || std::isnan(least.bound.error)) return;
     lower = least.lower();
   }

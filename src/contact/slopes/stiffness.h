@@ -5,25 +5,29 @@
 #include <limits>
 #include <vector>
 
-#include "contact/step/answer.h"
-#include "contact/workspace.h"
+#include "contact/answer.h"
+#include "contact/problem.h"
 
 namespace rc {
 
 // [force/length]
-struct Stiffness {
+struct StiffnessInterval {
   double value = std::numeric_limits<double>::quiet_NaN();
   double lower = value, upper = value;
+};
+
+struct Stiffness : StiffnessInterval {
   std::vector<std::int64_t> points;  // the contact set, and H^-1 1 on it, where an interval may be asked for
   std::vector<double> rate;
 };
 
 // hx hy 1' H_CC^-1 1 on the points C with 0 < p < hardness; NaN where a stop came before it was found.
-Stiffness stiffness(Workspace& work, const Answer& answer);
-// The interval, from the points that work.record.proven holds: 1' H_SS^-1 1 grows with S, being the largest value of
-// 2 1'x - x'Hx over all x that are 0 off S. So that of the points proven to carry less than the hardness is a lower bound,
-// that of the points proven neither to be open nor to carry it an upper one, each widened by the error of its solve. op: whose
-// products make the proof; null if no point is possibly in contact.
-void prove_interval(Workspace& work, Operator* op, Stiffness& stiffness);
+Stiffness stiffness(const GridProblem& problem, const Answer& answer);
+// The interval, from the points proven to be in contact below the hardness, and those possibly so: 1' H_SS^-1 1 grows with S,
+// being the largest value of 2 1'x - x'Hx over all x that are 0 off S. So that of the points proven to carry less than the
+// hardness is a lower bound, that of the points proven neither to be open nor to carry it an upper one, each widened by the error
+// of its solve. op: whose products make the proof; null if no point is possibly in contact.
+void prove_interval(const GridProblem& problem, Operator* op, const std::vector<std::int64_t>& contacts,
+                    const std::vector<std::int64_t>& possible, Stiffness& stiffness);
 
 }  // namespace rc

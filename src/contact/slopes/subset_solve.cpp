@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "contact/operators.h"
+#include "contact/spectrum.h"
 #include "core/error.h"
 #include "core/sums.h"
 
@@ -17,9 +19,9 @@ constexpr double product_rounding = 1e-12;  // of a residual from a product in d
 
 // A bound from below of the eigenvalues of H[S,S] + zero_mode/n 11', m points in S. Where H is periodic, x'Hx >= wave |x -
 // mean|^2, and |x - mean|^2 >= (1 - m/n) |x|^2 because x is 0 at n - m points.
-double lowest_eigenvalue(const Workspace& work, double zero_mode, std::size_t m) {
-  const System& system = work.system;
-  if (!system.halfspace()) return work.facts.spectrum ? work.facts.spectrum->lowest : 0;
+double lowest_eigenvalue(const GridProblem& problem, double zero_mode, std::size_t m) {
+  const System& system = problem.system;
+  if (!system.halfspace()) return problem.facts.spectrum ? problem.facts.spectrum->lowest : 0;
   if (!system.periodic()) return system.lambda_min;
   const double wave = system.lambda_wave;
   return std::max(wave * (1 - static_cast<double>(m) / static_cast<double>(system.points())), std::min(wave, zero_mode));
@@ -27,25 +29,25 @@ double lowest_eigenvalue(const Workspace& work, double zero_mode, std::size_t m)
 
 }  // namespace
 
-SubsetSolve::SubsetSolve(Workspace& work, Operator& op, std::span<const std::int64_t> set)
+SubsetSolve::SubsetSolve(const GridProblem& problem, Operator& op, std::span<const std::int64_t> set)
     : op_(op), set_(set.begin(), set.end()) {
-  const System& system = work.system;
+  const System& system = problem.system;
   mean_ = op.trial().zero_mode / static_cast<double>(system.points());
   const double lowest = system.periodic() ? system.lambda_wave : system.lambda_min;
   if (!system.halfspace() || op.has_subset() || !(lowest > 0)) {
-    if (work.ranks())
-      fail(RC_ERR_INCOMPATIBLE, "option ", RC_OPT_STIFFNESS, " = ", work.options.integer(RC_OPT_STIFFNESS),
-           ": on ranks it needs a kernel with a lowest eigenvalue, which \"", system.kernel, "\" does not promise");
-    lowest_ = lowest_eigenvalue(work, op.trial().zero_mode, set.size());
+    if (!problem.company().has_all_points())
+      fail(RC_ERR_INCOMPATIBLE, "option ", RC_OPT_STIFFNESS, " = ", problem.options.integer(RC_OPT_STIFFNESS),
+           ": by rows it needs a kernel with a lowest eigenvalue, which \"", system.kernel, "\" does not promise");
+    lowest_ = lowest_eigenvalue(problem, op.trial().zero_mode, set.size());
     return;
   }
   preconditioned_.emplace(
-      op, set, work.grid(), lowest, work.team(),
-      [&work](std::int64_t mx, std::int64_t my, auto& out) {
+      op, set, problem.grid(), lowest, problem.team(),
+      [&problem](std::int64_t mx, std::int64_t my, auto& out) {
         out.resize(static_cast<std::size_t>(mx * my));
-        raise_if_failed(work.coefficients(mx, my, out.data()), "the solve on the contact set");
+        raise_if_failed(problem.operators().coefficients(mx, my, out.data()), "the solve on the contact set");
       },
-      work.ranks());
+      problem.company());
   mean_ += preconditioned_->mean();
   lowest_ = preconditioned_->lowest();
 }

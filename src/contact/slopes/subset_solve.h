@@ -7,16 +7,16 @@
 #include <span>
 #include <vector>
 
+#include "contact/problem.h"
 #include "contact/slopes/contact_set_solve.h"
-#include "contact/workspace.h"
 #include "operator/operator.h"
 
 namespace rc {
 
 class SubsetSolve {
  public:
-  // set: ascending positions in the operator's trial set, at least one. work and op must outlive it.
-  SubsetSolve(Workspace& work, Operator& op, std::span<const std::int64_t> set);
+  // set: ascending positions in the operator's trial set, at least one. problem and op must outlive it.
+  SubsetSolve(const GridProblem& problem, Operator& op, std::span<const std::int64_t> set);
 
   // A zero mode of the trial set counts, and what ContactSetSolve adds.
   double mean() const { return mean_; }

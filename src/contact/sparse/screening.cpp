@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "contact/operators.h"
 #include "contact/proof/survey.h"
 #include "core/chunks.h"
 #include "core/large_memory.h"
@@ -22,11 +23,10 @@ struct Largest {
 };
 
 // H p on the trial set, and at least at the points outside it whose gap is below the margin, by a product over all points; of
-// ranks each looks at its rows. Bounds of round-off need the largest size of H p, too.
-Deflected near_surface(const Workspace& work, const Answer& answer, double compression, double margin) {
-  GatheredTiles* const tiles = work.surface.tiles();
-  const StepSurface& own = tiles ? tiles->shared() : work.surface;
-  const Ranks* const ranks = own.ranks();
+// processes each looks at its rows. Bounds of round-off need the largest size of H p, too.
+Deflected near_surface(const GridProblem& problem, const Answer& answer, double compression, double margin) {
+  GatheredTiles* const tiles = problem.surface.tiles();
+  const StepSurface& own = tiles ? tiles->shared() : problem.surface;
   const std::int64_t n = own.points(), before = own.first_row() * own.nx();
   auto product = large_vector<double>(static_cast<std::size_t>(n));
   answer.op->field(answer.p, product);
@@ -60,29 +60,30 @@ Deflected near_surface(const Workspace& work, const Answer& answer, double compr
     products.push_back(product[i]);
   }
   Deflected result;
-  result.pressures.on.index = ranks ? ranks->of_any(points) : std::move(points);
+  result.pressures.on.index = own.company().joined(std::move(points));
   result.pressures.on.n = static_cast<std::int64_t>(result.pressures.on.index.size());
-  result.product = ranks ? ranks->of_any(products) : std::move(products);
+  result.product = own.company().joined(std::move(products));
   if (tiles) tiles->hold_tiles_of(result.pressures.on.index);
   result.pressures.p = answer.pressures().at(result.pressures.on);
-  if (result.pressures.on.n == work.system.points()) result.pressures.on.index.clear();
+  if (result.pressures.on.n == problem.system.points()) result.pressures.on.index.clear();
   result.beyond = margin;
   return result;
 }
 
-// The entries of all ranks that screen their own rows.
-template <class Value> void unite(const Ranks& ranks, std::vector<Value>& found, std::int64_t count) {
+// The entries of all processes that screen their own rows.
+template <class Value> void unite(const Company& company, std::vector<Value>& found, std::int64_t count) {
   found.resize(static_cast<std::size_t>(count));
-  found = ranks.of_any(found);
+  found = company.joined(std::move(found));
 }
 
 }  // namespace
 
 bool screens(const Choice& choice) { return (choice.backend->caps & RC_CAP_SCREEN) != 0; }
 
-Deflected screened(const Workspace& work, const Answer& answer, double compression, double margin) {
-  if (work.rows() || !screens(answer.choice)) return near_surface(work, answer, compression, margin);
-  const StepSurface& surface = work.surface;
+Deflected screened(const GridProblem& problem, const Answer& answer, double compression, double margin) {
+  if (problem.operators().multiply_by_rows() || !screens(answer.choice))
+    return near_surface(problem, answer, compression, margin);
+  const StepSurface& surface = problem.surface;
   const TrialSet& trial = answer.op->trial();
   Deflected result;
   std::vector<double> y(answer.p.size()), depth, far;
@@ -92,19 +93,16 @@ Deflected screened(const Workspace& work, const Answer& answer, double compressi
   request.approach = surface.limit_of(compression + margin);
   GatheredTiles* const tiles = surface.tiles();
   const StepSurface& own = tiles ? tiles->shared() : surface;  // the points that this process looks at
-  const bool in_single = (answer.op->capabilities() & RC_CAP_SINGLE_GAP) != 0;
-  request.undeformed_gap = in_single ? own.gap().in_double() : own.gap_in_double();
-  request.undeformed_gap_single = in_single ? own.gap().in_single() : nullptr;
+  request.undeformed_gap = own.gap().array();
   request.mask = own.mask();
   if (tiles) {
     request.first_row = own.first_row();
-    request.rows = own.ranks()->rows();
+    request.rows = own.company().own_rows(0);
     if (request.rows == 0) {  // this process has none, and looks at a row that is nowhere near
       far.assign(static_cast<std::size_t>(surface.nx()), std::numeric_limits<double>::infinity());
       request.first_row = 0;
       request.rows = 1;
-      request.undeformed_gap = far.data();
-      request.undeformed_gap_single = nullptr;
+      request.undeformed_gap = {far.data(), RC_NATIVE, 0, nullptr};
       request.mask = nullptr;
     }
   } else {
@@ -123,8 +121,8 @@ Deflected screened(const Workspace& work, const Answer& answer, double compressi
     request.room = request.n_found;
   }
   if (tiles) {
-    unite(*own.ranks(), found, request.n_found);
-    unite(*own.ranks(), depth, request.n_found);
+    unite(own.company(), found, request.n_found);
+    unite(own.company(), depth, request.n_found);
     request.n_found = static_cast<std::int64_t>(found.size());
     tiles->hold_tiles_of(trial.index);
     tiles->hold_tiles_of(found);
@@ -156,8 +154,8 @@ Deflected screened(const Workspace& work, const Answer& answer, double compressi
     put_found_below(point);
     put(point, answer.p[i] * answer.pressure_unit, y[i] * answer.length_unit);
   }
-  put_found_below(work.system.points());
-  if (result.pressures.on.n == work.system.points()) result.pressures.on.index.clear();
+  put_found_below(problem.system.points());
+  if (result.pressures.on.n == problem.system.points()) result.pressures.on.index.clear();
   result.beyond = request.approach - surface.lowest() - compression;
   return result;
 }

@@ -1,8 +1,8 @@
 // A look at all points of the grid for overlap, where only few of them are unknowns.
 #pragma once
 
-#include "contact/step/answer.h"
-#include "contact/workspace.h"
+#include "contact/answer.h"
+#include "contact/problem.h"
 
 namespace rc {
 
@@ -10,6 +10,6 @@ namespace rc {
 bool screens(const Choice& choice);
 
 // H p on the trial set, and at least at the points outside it whose gap is below the margin [length].
-Deflected screened(const Workspace& work, const Answer& answer, double compression, double margin);
+Deflected screened(const GridProblem& problem, const Answer& answer, double compression, double margin);
 
 }  // namespace rc

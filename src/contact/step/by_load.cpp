@@ -7,9 +7,10 @@
 #include <numeric>
 
 #include "contact/step/services.h"
-#include "contact/step/trial_set.h"
+#include "contact/step/trial.h"
 #include "core/error.h"
 #include "core/limits.h"
+#include "core/start_terms.h"
 
 namespace rc {
 
@@ -18,37 +19,35 @@ namespace {
 constexpr int most_widenings = 8;    // of enlarging the trial set
 constexpr int most_approaches = 80;  // of the iteration on the approach
 constexpr double growth = 1.2;
-constexpr double bed_margin = 1.05;   // of the bed of springs
 constexpr double warm_margin = 1.02;  // of the last step's approach, in proportion to the load
 constexpr double near_load = 1.1;     // ratio of two loads up to which that is all that is needed
 constexpr double spare = 1.02;        // the hardness on all points of the trial set, over the load, at least
 constexpr double farthest_load = 4;   // ratio of two loads above which the one's pressures are no help for the other
 
-// Height above the lowest gap below which all contact is expected: that of a bed of springs, each as stiff as the bearing area's
-// share of a flat punch of that area. It is near the truth for one asperity and larger for many; where it is
-// too small the trial set grows. Between two loads on the same surface the approach grows at most in
-// proportion, because the load is a convex function of the approach; a plastic indentation in between raises the lowest gap.
-double approach_estimate(double load, bool warm, const Workspace& work, const CertifiedStep& last) {
-  const rc_system& s = work.system.given;
+// Height above the lowest gap below which all contact is expected: that of a bed of springs; if it is too small the trial set
+// grows. Between two loads on the same surface the approach grows at most in proportion, because the load is a convex function of
+// the approach; a plastic indentation in between raises the lowest gap.
+double approach_estimate(double load, bool warm, const GridProblem& problem, const CertifiedStep& last) {
+  const rc_system& s = problem.system.given;
   const double ratio = warm ? std::max(1.0, load / last.load) : infinite;
-  const double foretold = warm ? warm_margin * (last.approach - work.surface.lowest()) * ratio : infinite;
+  const double foretold = warm ? warm_margin * (last.approach - problem.surface.lowest()) * ratio : infinite;
   if (ratio <= near_load) return foretold;
-  return std::min(foretold, bed_margin * work.surface.bearing_height(load / (s.modulus * std::sqrt(s.hx) * std::sqrt(s.hy))));
+  return std::min(foretold, bed_margin * problem.surface.bearing_height(load / (s.modulus * std::sqrt(s.hx) * std::sqrt(s.hy))));
 }
 
 // Newton's method on the load, which is a continuous, increasing, piecewise linear function of the approach; its slope is that of
 // the points at hand whose pressure is free. Steps outside the bracket are replaced by bisection and, where a cap keeps the load
 // from being convex, those after one that left more than half of the missing load, too. All in dimensionless units; the
 // operator's zero mode adds `shift` to the approach, which is taken out of the answer.
-rc_status balance_load(Answer& answer, double load, double shift, double first, Workspace& work, Monitor& monitor) {
+rc_status balance_load(Answer& answer, double load, double shift, double first, const GridProblem& problem, Attempt& attempt) {
   const TrialSet& trial = answer.op->trial();
   const std::size_t n = answer.p.size();
-  const double tol = work.options.real(RC_OPT_TOL), lowest = work.surface.lowest();
-  SolverRun run_solver(work, answer, monitor);
+  const double tol = problem.options.real(RC_OPT_TOL), lowest = problem.surface.lowest();
+  SolverRun run_solver(problem, answer, attempt);
   std::vector<double> height(n), u(n), ones, rate;
   std::vector<std::int64_t> contact;
   for (std::size_t i = 0; i < n; ++i)
-    height[i] = work.surface.height(static_cast<std::size_t>(trial.point(static_cast<std::int64_t>(i)))) / answer.length_unit;
+    height[i] = problem.surface.height(static_cast<std::size_t>(trial.point(static_cast<std::int64_t>(i)))) / answer.length_unit;
 
   const double cap = answer.cap();
   double low = 0, high = infinite, d = first + shift, missing = infinite;
@@ -95,20 +94,22 @@ rc_status balance_load(Answer& answer, double load, double shift, double first, 
 
 }  // namespace
 
-Answer at_load(Workspace& work, const Memory& memory, const rc_step& step, Monitor& monitor, std::optional<Estimate> estimate) {
-  const System& system = work.system;
-  const StepSurface& surface = work.surface;
+Answer at_load(const GridProblem& problem, const Memory& memory, const Step& step, Attempt& attempt,
+               std::optional<Estimate> estimate) {
+  const System& system = problem.system;
+  const StepSurface& surface = problem.surface;
+  const Company& company = problem.company();
   const CertifiedStep& last = memory.last;
-  const double lowest = surface.lowest(), load = step.target / system.cell_area();
-  const double ratio = last.load > 0 ? step.target / last.load : infinite;
-  const bool near = step.warm_start != 0 && ratio <= farthest_load && ratio >= 1 / farthest_load, warm = near && last.same_gap;
+  const double lowest = surface.lowest(), load = step.target.value / system.cell_area();
+  const double ratio = last.load > 0 ? step.target.value / last.load : infinite;
+  const bool near = step.warm && ratio <= farthest_load && ratio >= 1 / farthest_load, warm = near && last.same_gap;
   const bool narrow = estimate && !estimate->dense;
   double height = narrow               ? growth * (estimate->approach - lowest)
-                  : system.halfspace() ? approach_estimate(step.target, warm && !memory.indented, work, last)
+                  : system.halfspace() ? approach_estimate(step.target.value, warm && !memory.indented, problem, last)
                                        : surface.highest() - lowest;
   if (!(height > 0)) height = load * system.length_per_pressure;
-  rc_step from = step;
-  from.warm_start = near;
+  Step from = step;
+  from.warm = near;
   const bool foretold = warm || estimate;
   const double likely =
       estimate ? estimate->approach : last.approach + memory.ahead(step) * (last.approach - memory.before.approach);
@@ -117,57 +118,50 @@ Answer at_load(Workspace& work, const Memory& memory, const rc_step& step, Monit
   bool handed_over = false;
   for (int round = 0;; ++round) {
     double limit = std::max(lowest + height, std::nextafter(lowest, infinite));
-    TrialSet trial = system.halfspace() ? trial_below(limit, work) : surface.all();
-    while (!work.ranks() && static_cast<double>(trial.n) * system.hardness < spare * load &&
-           trial.n < surface.included_points()) {
+    TrialSet set = system.halfspace() ? trial_below(limit, problem) : surface.all();
+    while (!company.keeps_all_points() && static_cast<double>(set.n) * system.hardness < spare * load &&
+           set.n < surface.included_points()) {
       height *= 2;
       limit = lowest + height;
-      trial = trial_below(limit, work);
+      set = trial_below(limit, problem);
     }
-    Answer answer = prepared(trial, step.control, height, work);
-    trial = widened(std::move(trial), answer.choice, work);
+    Trial trial(problem, step, std::move(set), height, attempt);
+    Answer& answer = trial.answer;
     const bool direct = !handed_over && (answer.choice.solver->controls & RC_CONTROL_LOAD) != 0;
     answer.handed_over = handed_over;
     answer.limit = limit - lowest;
-    if (system.periodic() && !direct) {
-      // Shifts the datum by a multiple of the load, which is prescribed: the approach then determines the load even in full
-      // contact.
-      trial.zero_mode = system.lambda_most;
-    }
-    answer.op = &work.bound_operator(*answer.choice.backend, trial);
-    on_all(work.ranks(), [&] {
-      answer.p = memory.start(from, trial, answer.pressure_unit, answer.cap(), nearer ? &*nearer : nullptr, work.team());
-    });
-    if (!nearer) answer.history = memory.history(from);
+    // Without load control of its own the datum is shifted by a multiple of the load, which is prescribed: the approach then
+    // determines the load even in full contact.
+    const double zero_mode = system.periodic() && !direct ? system.lambda_most : 0;
+    trial.bind(zero_mode);
+    trial.start(memory, from, nearer ? &*nearer : nullptr);
+    trial.follow(memory, from, !nearer);
     nearer.reset();
-    if (work.options.integer(RC_OPT_STIFFNESS) != 0) answer.before = memory.earlier(from, trial);
-    const double wanted = load / answer.pressure_unit;
-    const double shift = trial.zero_mode * wanted / static_cast<double>(system.points());
+    const double wanted = load / answer.pressure_unit, per_load = zero_mode / static_cast<double>(system.points());
     if (direct) {
-      const std::vector<double> u = compenetrations(answer, lowest, work);
       double d = foretold ? std::clamp((likely - lowest) / height, 0.0, 1.0) : 0;
-      SolverRun run_solver(work, answer, monitor, &answer.history);
-      answer.status = run_solver(step.control, u, wanted, solver_tol(work), lowest, answer.p, d);
+      trial.solve(wanted, solver_tol(problem), lowest, d);
       answer.compression = d;
     } else {
       double first = foretold && likely > lowest ? (likely - lowest) / height : 1;
       if (system.periodic() && !foretold) first = (surface.mean() - lowest) / height;
-      answer.status = balance_load(answer, wanted, shift, first, work, monitor);
+      const double shift = zero_mode * wanted / static_cast<double>(system.points());
+      answer.status = balance_load(answer, wanted, shift, first, problem, attempt);
     }
-    if (direct && !work.ranks() && answer.status == RC_STOP_STALLED &&
-        (work.options.integer(RC_OPT_ALLOW_FALLBACK) != 0 || answer.op->has_subset())) {
+    if (direct && company.has_all_points() && answer.status == RC_STOP_STALLED &&
+        (problem.options.integer(RC_OPT_ALLOW_FALLBACK) != 0 || answer.op->has_subset())) {
       // A solver whose own load control goes in circles may still do approach control.
       handed_over = true;
       continue;
     }
     // The zero mode is taken out with the load that the pressures have, which is not quite the one wanted.
-    const double sum = trial.zero_mode != 0 ? std::accumulate(answer.p.begin(), answer.p.end(), 0.0) : 0;
-    const double per_load = trial.zero_mode / static_cast<double>(system.points());
+    const double sum = zero_mode != 0 ? std::accumulate(answer.p.begin(), answer.p.end(), 0.0) : 0;
     answer.datum_shift = per_load * sum * height;
     answer.compression = (answer.compression + per_load * (wanted - sum)) * height;
-    const bool covered = work.ranks() || trial.n == surface.included_points() || answer.compression <= answer.limit;
+    const bool covered =
+        company.keeps_all_points() || trial.set().n == surface.included_points() || answer.compression <= answer.limit;
     const bool finite = std::isfinite(answer.compression);  // else the certificate reports it
-    if (covered || !finite || answer.status != RC_OK || round == most_widenings) return answer;
+    if (covered || !finite || answer.status != RC_OK || round == most_widenings) return std::move(answer);
     height = growth * answer.compression;
     nearer = answer.pressures();
   }

@@ -3,14 +3,16 @@
 
 #include <optional>
 
+#include "contact/answer.h"
+#include "contact/attempt.h"
 #include "contact/memory/memory.h"
-#include "contact/step/answer.h"
-#include "contact/step/monitor.h"
-#include "contact/workspace.h"
+#include "contact/problem.h"
+#include "contact/target.h"
 
 namespace rc {
 
 // estimate: what a coarser grid tells.
-Answer at_load(Workspace& work, const Memory& memory, const rc_step& step, Monitor& monitor, std::optional<Estimate> estimate);
+Answer at_load(const GridProblem& problem, const Memory& memory, const Step& step, Attempt& attempt,
+               std::optional<Estimate> estimate);
 
 }  // namespace rc

@@ -1,19 +1,18 @@
 #include "contact/step/services.h"
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 #include <new>
 
-#include "contact/step/choice.h"
-#include "core/error.h"
-#include "core/own_history.h"
+#include "contact/choice.h"
+#include "contact/operators.h"
+#include "core/caught.h"
 
 namespace rc {
 
 // rc_kept_steps and rc_problem, and the state that their callbacks need.
-struct BoundHistory : OwnHistory {
-  KeptHistory* all;
+struct BoundSteps : rc_kept_steps {
+  KeptSteps* all;
   const rc_solver* by;
 };
 
@@ -30,7 +29,7 @@ struct BoundProblem : rc_problem {
   SharedRows shared;
   TrialSet trial;
   rc_grid where{};
-  BoundHistory kept{};
+  BoundSteps steps{};
   std::int64_t most_iterations = std::numeric_limits<std::int64_t>::max();
 };
 
@@ -40,7 +39,7 @@ namespace {
 void require(const rc_solver& solver, const SolverRun& run, const char* as) {
   if ((solver.needs & RC_NEEDS_GRID) && run.grid.nx == 0)
     fail(RC_ERR_INCOMPATIBLE, as, ": solver \"", solver.name, "\" needs a half-space grid");
-  if (const std::string missing = missing_cap(solver, run.work.system); !missing.empty())
+  if (const std::string missing = missing_cap(solver, run.problem.system); !missing.empty())
     fail(RC_ERR_INCOMPATIBLE, as, ": ", missing);
   if (const std::string missing = missing_operation(solver, run.op.capabilities(), run.fallbacks); !missing.empty())
     fail(RC_ERR_INCOMPATIBLE, as, ": ", missing);
@@ -60,90 +59,58 @@ Operator& op_for(const BoundProblem& problem) {
 }
 Operator& op_of(const rc_problem* problem) { return op_for(bound(problem)); }
 
-// The solver may be C: no exception passes through it.
-template <class Action> rc_status contained(const Action& action) {
-  try {
-    return action();
-  } catch (const Error& error) {
-    set_message(error.what());
-    return error.code();
-  } catch (const std::bad_alloc&) {
-    set_message("out of memory");
-    return RC_ERR_MEMORY;
-  }
-}
-
 rc_status apply(const rc_problem* problem, const double* x, double* y) {
-  return contained([&] { return op_of(problem).apply(x, y); });
+  return caught([&]() -> rc_status { return op_of(problem).apply(x, y); });
 }
 
 rc_status apply_float(const rc_problem* problem, const float* x, float* y) {
-  return contained([&] { return op_of(problem).apply_float(x, y); });
+  return caught([&]() -> rc_status { return op_of(problem).apply_float(x, y); });
 }
 
 rc_status subset(const rc_problem* problem, std::int64_t na, const std::int64_t* a, const double* b, double* x) {
-  return contained([&] { return op_of(problem).subset({a, static_cast<std::size_t>(na)}, b, x, 1e-3 * problem->tol); });
+  return caught([&]() -> rc_status {
+    return op_of(problem).subset({a, static_cast<std::size_t>(na)}, b, x, 1e-3 * problem->tol);
+  });
 }
 
 rc_status shifted(const rc_problem* problem, double rho, double tol, const double* b, double* x) {
-  return contained([&] { return op_of(problem).shifted(rho, tol, b, x); });
+  return caught([&]() -> rc_status { return op_of(problem).shifted(rho, tol, b, x); });
 }
 
 rc_status norm(const rc_problem* problem, double* out) {
-  return contained([&] { return op_of(problem).norm(*out); });
+  return caught([&]() -> rc_status { return op_of(problem).norm(*out); });
 }
 
 rc_status poll(const rc_problem* problem, std::int64_t iteration, double kkt) {
   const SolverRun& run = run_of(problem);
-  if (const Ranks* const ranks = run.work.ranks()) {
-    // One rank's clock stops all of them, at the same iteration. That of the most iterations is the same on all.
-    ++ranks->counts().iterations;
-    const rc_status mine = run.monitor.poll(iteration, kkt, run.op.products());
-    if (mine != RC_STOP_MAX_ITER) ranks->ask_stop(mine);
-    if (ranks->stop() != RC_OK) return ranks->stop();
-    if (mine == RC_STOP_MAX_ITER) return mine;
-  } else if (const Ranks* const alike = run.work.alike()) {
-    return contained([&] {
-      ++alike->counts().iterations;
-      const std::vector<rc_status> all = alike->of_each(run.monitor.poll(iteration, kkt, run.op.products()));
-      const rc_status stop = *std::max_element(all.begin(), all.end());
-      return stop == RC_OK && iteration >= bound(problem).most_iterations ? RC_STOP_MAX_ITER : stop;
-    });
-  } else if (const rc_status status = run.monitor.poll(iteration, kkt, run.op.products()); status != RC_OK) {
-    return status;
-  }
-  return iteration >= bound(problem).most_iterations ? RC_STOP_MAX_ITER : RC_OK;
+  return caught([&] {
+    const rc_status stop = run.problem.company().agreed(run.attempt.monitor.poll(iteration, kkt, run.op.products()));
+    return stop == RC_OK && iteration >= bound(problem).most_iterations ? RC_STOP_MAX_ITER : stop;
+  });
 }
 
 rc_status coarse(const rc_problem* problem, rc_coarse* request) {
-  // An older solver's struct may lack the members after p.
-  rc_coarse today{};
-  today.control = RC_CONTROL_APPROACH;
-  today.keep = 1;
-  std::memcpy(&today, request, std::min(request->struct_size, sizeof today));
-  return contained([&] {
+  return caught([&]() -> rc_status {
     const SolverRun& run = run_of(problem);
-    const rc_status status = run.work.solver_grids.solve(today, run.work, run.monitor);
-    request->approach = today.approach;
-    return status;
+    return run.problem.coarse->solve(*request, run.problem, run.attempt);
   });
 }
 
 rc_status coefficients(const rc_problem* problem, std::int64_t mx, std::int64_t my, double* out) {
-  return contained([&] { return run_of(problem).work.coefficients(mx, my, out); });
+  return caught([&]() -> rc_status { return run_of(problem).problem.operators().coefficients(mx, my, out); });
 }
 
 void multiplied(const rc_problem* problem, std::int64_t products) { run_of(problem).op.count(products); }
 
 void note(const rc_problem* problem, const char* text) {
-  contained([&] {
-    run_of(problem).note(text);
+  caught([&]() -> rc_status {
+    run_of(problem).attempt.remarks.replace(text);
     return RC_OK;
   });
 }
 
-void keep(const rc_kept_steps* history, void* object, void (*destroy)(void*)) {
-  const BoundHistory& own = *static_cast<const BoundHistory*>(history);
+void keep(const rc_kept_steps* steps, void* object, void (*destroy)(void*)) {
+  const BoundSteps& own = *static_cast<const BoundSteps*>(steps);
   try {
     own.all->own = {own.by, std::shared_ptr<void>(object, destroy)};
   } catch (const std::bad_alloc&) {
@@ -154,18 +121,16 @@ void keep(const rc_kept_steps* history, void* object, void (*destroy)(void*)) {
 void connect(BoundProblem& problem);
 
 rc_status solve(const rc_solver& solver, BoundProblem& problem, double* p, double* d) {
-  const rc_options& options = problem.run.work.options;
-  const StepSurface& surface = problem.run.work.surface;
+  const rc_options& options = problem.run.problem.options;
+  const StepSurface& surface = problem.run.problem.surface;
   const bool in_single = (solver.needs & RC_READS_SINGLE_GAP) != 0;
   const GapValues& gap = surface.gap_for_solver();
-  if (problem.where.nx > 0) problem.where.undeformed_gap = in_single ? gap.in_double() : surface.gap_in_double();
-  problem.where.undeformed_gap_single = in_single ? gap.in_single() : nullptr;
-  if (const GapOnDevice& there = problem.run.work.gap_on_device; there.is_of(gap) && (in_single || gap.in_double())) {
-    problem.where.gap_on_device = there.at;
-    problem.where.memory = there.memory.c_str();
-  }
+  rc_grid& grid = problem.where;
+  if (grid.nx > 0) grid.undeformed_gap = in_single ? gap.array() : rc_const_array{surface.gap_in_double(), RC_NATIVE, 0, nullptr};
+  if (const GapOnDevice& there = problem.run.problem.gap_on_device; there.is_of(gap) && (in_single || gap.in_double()))
+    grid.gap_on_device = {there.at, gap.array().type, 0, there.memory.c_str()};
   op_for(problem);
-  return solver.solve(&problem.run.work.host, &problem, &options, p, d);
+  return solver.solve(&problem.run.problem.host, &problem, &options, p, d);
 }
 
 // Runs another solver, with pressure at some of the unknowns only.
@@ -176,8 +141,8 @@ rc_status inner_solve(const BoundProblem& outer, const char* name, std::span<con
   const auto inside = static_cast<std::int64_t>(a.size());
   const StepFacts facts{.candidates = inside, .box = inside, .tol = tol};
   const rc_solver& solver = std::string_view(name) == "auto"
-                                ? solver_inside(run.work.options, run.work.system, facts, run.backend)
-                                : run.work.options.context->solver(name);
+                                ? solver_inside(run.problem.options, run.problem.system, facts, *run.choice.backend)
+                                : run.problem.options.context->solver(name);
   require(solver, run, "a solver inside a solver");
 
   BoundProblem problem(run);
@@ -187,9 +152,9 @@ rc_status inner_solve(const BoundProblem& outer, const char* name, std::span<con
     for (const std::int64_t i : a) problem.trial.index.push_back(outer.trial.point(i));
   std::vector<double> u, start;
   const auto compenetration = [&](std::int64_t i) {
-    return outer.u
-               ? outer.u[i]
-               : (outer.where.approach - run.work.surface.gap_at(static_cast<std::size_t>(outer.trial.point(i)))) / outer.length;
+    return outer.u ? outer.u[i]
+                   : (outer.where.approach - run.problem.surface.gap_at(static_cast<std::size_t>(outer.trial.point(i)))) /
+                         outer.length;
   };
   for (const std::int64_t i : a) {
     u.push_back(compenetration(i));
@@ -204,10 +169,10 @@ rc_status inner_solve(const BoundProblem& outer, const char* name, std::span<con
 
   rc_status status = RC_OK;
   if (problem.n > 0) {
-    const std::int64_t iteration = run.monitor.begin_call();
+    const std::int64_t iteration = run.attempt.monitor.begin_call();
     double unused = 0;
     status = solve(solver, problem, start.data(), &unused);
-    run.monitor.end_call(iteration);
+    run.attempt.monitor.end_call(iteration);
     if (status < 0) return status;
   }
   std::fill(p, p + outer.n, 0.0);
@@ -225,7 +190,9 @@ rc_status inner_solve(const BoundProblem& outer, const char* name, std::span<con
 
 rc_status inner(const rc_problem* problem, const char* solver, std::int64_t na, const std::int64_t* a, double tol, double* p,
                 double* product) {
-  return contained([&] { return inner_solve(bound(problem), solver, {a, static_cast<std::size_t>(na)}, tol, p, product); });
+  return caught([&]() -> rc_status {
+    return inner_solve(bound(problem), solver, {a, static_cast<std::size_t>(na)}, tol, p, product);
+  });
 }
 
 void connect(BoundProblem& problem) {
@@ -233,21 +200,22 @@ void connect(BoundProblem& problem) {
   const std::uint64_t caps = run.op.capabilities();
   problem.struct_size = sizeof(rc_problem);
   problem.apply = apply;
-  const Ranks* const ranks = run.work.ranks();
-  if (ranks) {
-    problem.shared = SharedRows(*ranks);
+  const Company& company = run.problem.company();
+  const bool all_here = company.has_all_points();
+  if (const Ranks* const shared = company.rows()) {
+    problem.shared = SharedRows(*shared);
     problem.rows = &problem.shared;
   }
-  problem.subset = ranks ? nullptr : run.fallbacks || (caps & RC_CAP_SUBSET) ? subset : nullptr;
+  problem.subset = all_here && (run.fallbacks || (caps & RC_CAP_SUBSET)) ? subset : nullptr;
   problem.poll = poll;
-  problem.lambda_min = run.work.system.lambda_min;
-  problem.positive = run.work.system.positive;
+  problem.lambda_min = run.problem.system.lambda_min;
+  problem.positive = run.problem.system.positive;
   problem.factors = (caps & RC_CAP_SUBSET) != 0;
-  problem.shifted = ranks ? nullptr : run.fallbacks || (caps & RC_CAP_SHIFTED) ? shifted : nullptr;
-  problem.norm = !ranks && (caps & RC_CAP_NORM) ? norm : nullptr;
-  problem.inner = ranks || run.work.rows() ? nullptr : inner;
+  problem.shifted = all_here && (run.fallbacks || (caps & RC_CAP_SHIFTED)) ? shifted : nullptr;
+  problem.norm = all_here && (caps & RC_CAP_NORM) ? norm : nullptr;
+  problem.inner = all_here && !run.problem.operators().multiply_by_rows() ? inner : nullptr;
   problem.apply_float = (caps & RC_CAP_FLOAT) ? apply_float : nullptr;
-  problem.team = &run.work.team();
+  problem.team = &run.problem.team();
   problem.length = run.length_unit;
   problem.pressure = run.pressure_unit;
   problem.cap = run.cap;
@@ -270,19 +238,19 @@ bool warms_up(const rc_solver& solver, const rc_options& options) {
 // The warm-up: some iterations of another solver come first. They need not converge.
 rc_status warm_up(BoundProblem& problem, double* p, double* d) {
   const SolverRun& run = problem.run;
-  if (!warms_up(run.solver, run.work.options)) return RC_OK;
-  const std::string& name = run.work.options.text(RC_OPT_WARMUP);
-  const rc_solver& solver = run.work.options.context->solver(name);
+  if (!warms_up(*run.choice.solver, run.problem.options)) return RC_OK;
+  const std::string& name = run.problem.options.text(RC_OPT_WARMUP);
+  const rc_solver& solver = run.problem.options.context->solver(name);
   if (!(solver.controls & static_cast<std::uint32_t>(problem.control))) {
-    run.note(join("warmup: \"", name, "\" cannot prescribe the load and was left out"));
+    run.attempt.remarks.replace(join("warmup: \"", name, "\" cannot prescribe the load and was left out"));
     return RC_OK;
   }
   require(solver, run, "warmup");
-  problem.most_iterations = run.work.options.integer(RC_OPT_WARMUP_ITERATIONS);
+  problem.most_iterations = run.problem.options.integer(RC_OPT_WARMUP_ITERATIONS);
   const rc_status status = solve(solver, problem, p, d);
   problem.most_iterations = run.most_iterations;
   raise_if_failed(status, solver.name);
-  run.monitor.next_call();
+  run.attempt.monitor.next_call();
   return status == RC_STOP_CANCELLED || status == RC_STOP_TIME ? status : RC_OK;
 }
 
@@ -292,66 +260,59 @@ bool takes_gap(const rc_solver& solver, const rc_options& options) {
   return (solver.needs & RC_READS_GAP) && !warms_up(solver, options);
 }
 
-SolverRun::SolverRun(Workspace& workspace, const Answer& answer, Monitor& watch, KeptHistory* history)
-    : work(workspace),
-      solver(*answer.choice.solver),
-      backend(*answer.choice.backend),
+SolverRun::SolverRun(const GridProblem& posed, const Answer& answer, Attempt& under, std::int64_t look, KeptSteps* history)
+    : problem(posed),
+      choice(answer.choice),
       op(*answer.op),
-      monitor(watch),
-      fallbacks(workspace.options.integer(RC_OPT_ALLOW_FALLBACK) != 0),
-      grid(workspace.system.halfspace() ? workspace.grid() : rc_grid{}),
-      length_unit(workspace.system.halfspace() ? answer.length_unit : 0),
-      pressure_unit(workspace.system.halfspace() ? answer.pressure_unit : 0),
+      attempt(under),
+      fallbacks(posed.options.integer(RC_OPT_ALLOW_FALLBACK) != 0),
+      grid(posed.system.halfspace() ? posed.grid() : rc_grid{}),
+      length_unit(posed.system.halfspace() ? answer.length_unit : 0),
+      pressure_unit(posed.system.halfspace() ? answer.pressure_unit : 0),
       cap(answer.cap()),
-      most_iterations(workspace.record.look > 0 ? workspace.record.look : std::numeric_limits<std::int64_t>::max()),
+      most_iterations(look > 0 ? look : std::numeric_limits<std::int64_t>::max()),
       history_(history),
-      warmed_up_(workspace.record.look > 0) {}
-
-void SolverRun::note(const std::string& text) const {
-  std::vector<std::string>& remarks = work.record.remarks;
-  const std::string from = text.substr(0, text.find(':'));
-  std::erase_if(remarks, [&](const std::string& each) { return each.substr(0, each.find(':')) == from; });
-  remarks.push_back(text);
-}
+      warmed_up_(look > 0) {}
 
 rc_status SolverRun::operator()(std::int32_t control, std::span<const double> u, double load, double tol, double approach,
                                 std::vector<double>& p, double& d) {
-  BoundProblem problem(*this);
-  problem.trial = op.trial();
-  problem.n = static_cast<std::int64_t>(p.size());
-  problem.control = control;
-  problem.u = u.empty() ? nullptr : u.data();
-  problem.load = load;
-  problem.tol = tol;
-  problem.where = grid;
-  problem.where.approach = approach;
-  problem.most_iterations = most_iterations;
-  connect(problem);
-  const Operator::Watch watch(op, [this] { return work.ranks() ? work.ranks()->stop() : work.alike() ? RC_OK : monitor.ask(); });
-  monitor.next_call();
+  BoundProblem posed(*this);
+  posed.trial = op.trial();
+  posed.n = static_cast<std::int64_t>(p.size());
+  posed.control = control;
+  posed.u = u.empty() ? nullptr : u.data();
+  posed.load = load;
+  posed.tol = tol;
+  posed.where = grid;
+  posed.where.approach = approach;
+  posed.most_iterations = most_iterations;
+  connect(posed);
+  const Operator::Watch watch(op, [this] { return problem.company().stop().value_or(attempt.monitor.ask()); });
+  attempt.monitor.next_call();
   clear_message();
   if (!warmed_up_) {
     warmed_up_ = true;
-    if (const rc_status status = warm_up(problem, p.data(), &d); status != RC_OK) return status;
+    if (const rc_status status = warm_up(posed, p.data(), &d); status != RC_OK) return status;
   }
-  if (history_ && work.keeps_history && grid.nx > 0 && !work.ranks()) {
-    const bool as_given = !warms_up(solver, work.options);
-    problem.kept = {{{.struct_size = sizeof(rc_kept_steps),
-                      .last = as_given ? history_->last.of(solver) : nullptr,
-                      .before = as_given ? history_->before.of(solver) : nullptr,
-                      .ahead = history_->ahead,
-                      .hardness = work.system.hardness,
-                      .keep = keep},
-                     work.passes_over && !work.alike()},
-                    history_,
-                    &solver};
-    problem.history = &problem.kept;
+  if (history_ && problem.keeps_answers && grid.nx > 0 && problem.company().has_all_points()) {
+    const bool as_given = !warms_up(*choice.solver, problem.options);
+    posed.steps = {{.struct_size = sizeof(rc_kept_steps),
+                    .last = as_given ? history_->last.of(*choice.solver) : nullptr,
+                    .before = as_given ? history_->before.of(*choice.solver) : nullptr,
+                    .ahead = history_->ahead,
+                    .hardness = problem.system.hardness,
+                    .may_go_without = problem.company().may_pass_over(),
+                    .reserved = 0,
+                    .keep = keep},
+                   history_,
+                   choice.solver};
+    posed.kept = &posed.steps;
     history_ = nullptr;
   }
-  const rc_status status = solve(solver, problem, p.data(), &d);
-  work.record.by_solver = status < 0 && !op.failed();
-  raise_if_failed(status, solver.name);
-  op_for(problem);
+  const rc_status status = solve(*choice.solver, posed, p.data(), &d);
+  attempt.by_solver = status < 0 && !op.failed();
+  raise_if_failed(status, choice.solver->name);
+  op_for(posed);
   return status;
 }
 

@@ -2,12 +2,11 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <vector>
 
-#include "contact/step/answer.h"
-#include "contact/step/monitor.h"
-#include "contact/workspace.h"
+#include "contact/answer.h"
+#include "contact/attempt.h"
+#include "contact/problem.h"
 #include "operator/operator.h"
 
 namespace rc {
@@ -20,9 +19,11 @@ struct BoundProblem;
 // Runs one solver for one answer. It makes the problem that the solver sees, and its services.
 class SolverRun {
  public:
-  // Runs the solver of answer.choice on answer.op. history: null, or what the first run's start was made of, with room for what
-  // its solver keeps of its answer. All four must outlive it.
-  SolverRun(Workspace& work, const Answer& answer, Monitor& monitor, KeptHistory* history = nullptr);
+  // Runs the solver of answer.choice on answer.op. look: the most iterations of a solver that only looks at the grid; 0: it
+  // solves. history: null, or what the first run's start was made of, with room for what its solver keeps of its answer. All must
+  // outlive it.
+  SolverRun(const GridProblem& problem, const Answer& answer, Attempt& attempt, std::int64_t look = 0,
+            KeptSteps* history = nullptr);
 
   // Approach control: w = H p - u, residual relative to 1. Load control: w = H p - u - d, relative to d + max u.
   // p and d: start in, answer out. `approach`: the grid's. u may be empty for a solver that reads the gap.
@@ -31,11 +32,10 @@ class SolverRun {
                        std::vector<double>& p, double& d);
 
   // Members that the services of rc_problem read.
-  Workspace& work;
-  const rc_solver& solver;
-  const rc_backend& backend;
+  const GridProblem& problem;
+  const Choice choice;
   Operator& op;
-  Monitor& monitor;
+  Attempt& attempt;
   const bool fallbacks;                     // operations that the backend lacks may be replaced
   const rc_grid grid;                       // without its index, approach and gap; nx = 0: there is none
   const double length_unit, pressure_unit;  // of u and p; 0 without a grid
@@ -45,11 +45,8 @@ class SolverRun {
   // A step's problem and the problems that its solver opens inside it take turns on the operator. owner: the one it is bound to.
   const BoundProblem* owner = nullptr;
 
-  // A remark replaces an earlier one that has the same words before its colon.
-  void note(const std::string& text) const;
-
  private:
-  KeptHistory* history_;
+  KeptSteps* history_;
   bool warmed_up_;  // the warm-up runs once, however often the solver does
 };
 

@@ -3,10 +3,11 @@
 #include <string>
 #include <utility>
 
-#include "contact/sparse/shared_sparse_contact.h"
-#include "contact/sparse/sparse_contact.h"
-#include "contact/step/approach.h"
+#include "contact/operators.h"
+#include "contact/step/by_approach.h"
 #include "contact/step/by_load.h"
+#include "contact/step/sparse_by_rows.h"
+#include "contact/step/sparse_contact.h"
 #include "core/error.h"
 
 namespace rc {
@@ -14,67 +15,77 @@ namespace rc {
 namespace {
 
 // Whether "auto" may pass over this component; if so, notes that it did.
-bool pass_over(Workspace& work, const char* name, const char* option, const std::string& reason) {
-  if (work.ranks() || work.alike() || !work.passes_over || work.options.text(option) != "auto" ||
-      work.options.integer(RC_OPT_ALLOW_FALLBACK) == 0)
+bool pass_over(const GridProblem& problem, const char* name, const char* option, const std::string& reason, Attempt& attempt) {
+  if (!problem.company().may_pass_over() || problem.options.text(option) != "auto" ||
+      problem.options.integer(RC_OPT_ALLOW_FALLBACK) == 0)
     return false;
-  work.record.failed.emplace_back(name);
+  attempt.failed.emplace_back(name);
   try {
-    choose(work.options, work.system, {}, work.record.failed);
+    choose(problem.options, problem.system, {}, attempt.failed);
   } catch (const Error&) {
     return false;
   }
-  work.record.remarks.push_back(join("auto: passed over ", name, ", ", reason));
+  attempt.remarks.add(join("auto: passed over ", name, ", ", reason));
   return true;
 }
 
-Answer answer_of(Workspace& work, const Memory& memory, const rc_step& step, Monitor& monitor,
-                 const std::optional<Estimate>& nearer) {
+Answer answer_of(const GridProblem& problem, const Memory& memory, const Step& step, const std::optional<Estimate>& nearer,
+                 Attempt& attempt) {
   std::optional<Estimate> estimate = nearer;
-  if (std::optional<Answer> sparse = sparse_contact(work, memory, step, monitor, estimate)) return std::move(*sparse);
-  return step.control == RC_CONTROL_LOAD ? at_load(work, memory, step, monitor, std::move(estimate))
-                                         : at_approach(work, memory, step, monitor, std::move(estimate));
+  if (std::optional<Answer> sparse = sparse_contact(problem, memory, step, attempt, estimate)) return std::move(*sparse);
+  return step.target.by_load() ? at_load(problem, memory, step, attempt, std::move(estimate))
+                               : at_approach(problem, memory, step, attempt, estimate);
 }
 
-}  // namespace
-
-Finished solve_step(Workspace& work, const Memory& memory, const rc_step& step, Monitor& monitor, rc_result& result,
-                    std::optional<Estimate> nearer) {
-  if (std::optional<Finished> sparse = shared_sparse_contact(work, memory, step, monitor, result)) return std::move(*sparse);
-  const Choice& choice = work.record.choice;
-  std::optional<Error> first;  // why "auto" passed over the first backend
-  bool delivered = false;      // an answer that is not certified: the caller's arrays hold it if nothing better follows
+Finished finished(const GridProblem& problem, const Memory& memory, const Step& step, const Outputs& outputs,
+                  const std::optional<Estimate>& nearer, Attempt& attempt) {
+  if (!step.target.touches(problem.surface)) return certified_result(problem, step, {}, attempt, outputs);
+  if (std::optional<Finished> sparse = sparse_by_rows(problem, memory, step, attempt, outputs)) return std::move(*sparse);
+  const Choice& choice = attempt.choice;
+  std::optional<Error> first;         // why "auto" passed over the first backend
+  std::optional<Finished> delivered;  // an answer that is not certified: the caller's arrays hold it if nothing better follows
   for (;;) {
-    work.record.choice = {};
-    work.record.by_solver = false;
+    attempt.choice = {};
+    attempt.by_solver = false;
     try {
-      Finished finished = certified_result(work, step, answer_of(work, memory, step, monitor, nearer), monitor, result);
-      const rc_status status = finished.status;
+      Answer answer = answer_of(problem, memory, step, nearer, attempt);
+      Finished found = certified_result(problem, step, std::move(answer), attempt, outputs);
+      const rc_status status = found.numbers.status;
       const bool hopeless = status == RC_STOP_STALLED || status == RC_UNCERTIFIED;
-      if (!hopeless || !pass_over(work, choice.solver->name, RC_OPT_SOLVER, join("which ended with: ", rc_status_text(status))))
-        return finished;
-      delivered = true;
+      const std::string reason = hopeless ? join("which ended with: ", rc_status_text(status)) : "";
+      if (!hopeless || !pass_over(problem, choice.solver->name, RC_OPT_SOLVER, reason, attempt)) return found;
+      delivered = Finished{.numbers = std::move(found.numbers)};
       clear_message();
     } catch (const Error& error) {
-      const bool device = error.code() == RC_ERR_EXTERNAL && work.system.halfspace();  // which calls nothing of the caller's
+      const bool device = error.code() == RC_ERR_EXTERNAL && problem.system.halfspace();  // which calls nothing of the caller's
       const bool lacking =
           device || error.code() == RC_ERR_MEMORY || error.code() == RC_ERR_PLUGIN || error.code() == RC_ERR_INCOMPATIBLE;
       // A solver that has a device of its own may fail with every backend.
-      const bool by_solver = work.record.by_solver && (device || work.options.text(RC_OPT_SOLVER) == "auto");
+      const bool by_solver = attempt.by_solver && (device || problem.options.text(RC_OPT_SOLVER) == "auto");
       const bool passed = lacking && choice.backend &&
-                          (by_solver ? pass_over(work, choice.solver->name, RC_OPT_SOLVER, error.what())
-                                     : pass_over(work, choice.backend->name, RC_OPT_BACKEND, error.what()));
+                          (by_solver ? pass_over(problem, choice.solver->name, RC_OPT_SOLVER, error.what(), attempt)
+                                     : pass_over(problem, choice.backend->name, RC_OPT_BACKEND, error.what(), attempt));
       if (passed) {
-        if (!by_solver) work.drop_operator(choice.backend->name);
+        if (!by_solver) problem.operators().drop(choice.backend->name);
         if (!first) first = error;
         continue;
       }
       if (!delivered && first) fail(first->code(), first->what(), "; the next choice of auto failed, too: ", error.what());
       if (!delivered) throw;
-      set_message(join(rc_status_text(result.status), "; the next choice of auto failed: ", error.what()).c_str());
-      return {result.status, {}};
+      set_message(join(rc_status_text(delivered->numbers.status), "; the next choice of auto failed: ", error.what()).c_str());
+      return std::move(*delivered);
     }
   }
+}
+
+}  // namespace
+
+Solved solve_step(const GridProblem& problem, const Memory& memory, const Step& step, Monitor& monitor, const Outputs& outputs,
+                  const std::optional<Estimate>& nearer) {
+  Attempt attempt{monitor};
+  attempt.warm = step.warm;
+  Finished answer = finished(problem, memory, step, outputs, nearer, attempt);
+  return {std::move(answer), {attempt.choice, std::move(attempt.failed)}};
 }
 
 }  // namespace rc

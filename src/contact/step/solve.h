@@ -1,19 +1,23 @@
-// One step on one grid, from the choice of a solver to a certified result.
+// One step on one grid, from its target to a certified answer.
 #pragma once
 
 #include <optional>
 
 #include "contact/memory/memory.h"
-#include "contact/proof/result.h"
-#include "contact/step/answer.h"
-#include "contact/step/monitor.h"
-#include "contact/workspace.h"
+#include "contact/problem.h"
+#include "contact/proof/certified.h"
+#include "contact/target.h"
 
 namespace rc {
 
-// Solves with the first choice of "auto", and with the next where that fails. nearer: the estimate of a coarser grid. Some point
-// must touch.
-Finished solve_step(Workspace& work, const Memory& memory, const rc_step& step, Monitor& monitor, rc_result& result,
-                    std::optional<Estimate> nearer);
+struct Solved {
+  Finished finished;
+  StepOutcome outcome;
+};
+
+// Sparse contact if it is; else the whole grid, by the prescribed approach or load. If a component fails that "auto" has chosen,
+// the next one takes over. nearer: the estimate of a coarser grid.
+Solved solve_step(const GridProblem& problem, const Memory& memory, const Step& step, Monitor& monitor, const Outputs& outputs,
+                  const std::optional<Estimate>& nearer);
 
 }  // namespace rc

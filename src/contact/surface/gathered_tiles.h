@@ -1,4 +1,4 @@
-// The gap at some tiles of a surface that ranks share by rows. All ranks gather the same tiles, and then have the same values.
+// The gap at some tiles of a surface that processes share by rows. All gather the same tiles, and then have the same values.
 #pragma once
 
 #include <cstdint>
@@ -12,11 +12,11 @@ class StepSurface;
 
 class GatheredTiles {
  public:
-  // shared: of this rank's rows; it must outlive the tiles.
+  // shared: of this process's rows; it must outlive the tiles.
   explicit GatheredTiles(const StepSurface& shared) : shared_(shared) {}
 
   const StepSurface& shared() const { return shared_; }
-  // Gathers the tiles, or those of the points, that are not here yet. All ranks give the same ones.
+  // Gathers the tiles, or those of the points, that are not here yet. All processes give the same ones.
   void hold(std::span<const std::int64_t> tiles);
   void hold_tiles_of(std::span<const std::int64_t> points);
   std::int64_t tile_of(std::int64_t point) const;

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "contact/surface/output_array.h"
+#include "contact/surface/outputs.h"
 #include "operator/operator.h"
 
 namespace rc {

@@ -33,15 +33,14 @@ struct Summary {
     lowest = std::min(lowest, gap);
     highest = std::max(highest, gap);
   }
-  void add(const Summary& each) {
-    included += each.included;
-    lowest = std::min(lowest, each.lowest);
-    highest = std::max(highest, each.highest);
-    if (bad == 0) {
-      first_bad = each.first_bad;
-      bad_value = each.bad_value;
-    }
-    bad += each.bad;
+  friend Summary operator+(const Summary& a, const Summary& b) {
+    const Summary& first = a.bad > 0 ? a : b;
+    return {std::min(a.lowest, b.lowest),
+            std::max(a.highest, b.highest),
+            a.included + b.included,
+            a.bad + b.bad,
+            first.first_bad,
+            first.bad_value};
   }
 };
 
@@ -63,8 +62,8 @@ template <class Real> bool add_finite(Summary& summary, const Real* gap, std::in
 
 }  // namespace
 
-StepSurface::StepSurface(const GivenSurface& given, const rc_team& team, const Ranks* ranks)
-    : team_(&team), ranks_(ranks), nx_(given.nx), ny_(given.ny), all_points_(nx_ * (ranks ? ranks->all_rows() : ny_)) {
+StepSurface::StepSurface(const GivenSurface& given, const rc_team& team, const Company& company)
+    : team_(&team), company_(company), nx_(given.nx), ny_(given.ny), all_points_(nx_ * company.all_rows(ny_)) {
   const std::int64_t columns = tiles_x(), rows = (ny_ + tile - 1) / tile;
   std::vector<Summary> summaries;
   const auto own = [&]<class Real>(std::unique_ptr<Real[]>& values) {
@@ -72,7 +71,7 @@ StepSurface::StepSurface(const GivenSurface& given, const rc_team& team, const R
     prefer_large(values.get(), given.gap.size() * sizeof(Real));
     return GapValues(std::span<const Real>(values.get(), given.gap.size()));
   };
-  on_all(ranks, [&] {
+  company.on_all([&] {
     tile_lowest_.assign(static_cast<std::size_t>(columns * rows), infinite);
     summaries.resize(static_cast<std::size_t>(rows));
     if (!given.borrowed) own_mask_.assign(given.mask.begin(), given.mask.end());
@@ -98,13 +97,9 @@ StepSurface::StepSurface(const GivenSurface& given, const rc_team& team, const R
     }
   });
   Summary whole;
-  for (const Summary& each : summaries) whole.add(each);
-  if (ranks) {
-    if (whole.bad > 0) whole.first_bad += first_row() * nx_;
-    const std::vector<Summary> all = ranks->of_each(whole);
-    whole = {};
-    for (const Summary& each : all) whole.add(each);
-  }
+  for (const Summary& each : summaries) whole = whole + each;
+  if (whole.bad > 0) whole.first_bad += first_row() * nx_;
+  whole = united(whole);
   if (whole.bad > 0)
     fail(RC_ERR_ARGUMENT, "gap has ", whole.bad, " value(s) that are not finite, first at index ", whole.first_bad, " (",
          whole.bad_value, "); exclude them with rc_step.mask");
@@ -117,7 +112,7 @@ StepSurface::StepSurface(const StepSurface& shared, const rc_team& team)
     : team_(&team),
       tiles_(std::make_unique<GatheredTiles>(shared)),
       nx_(shared.nx_),
-      ny_(shared.ranks_->all_rows()),
+      ny_(shared.company_.all_rows(shared.ny_)),
       all_points_(shared.all_points_),
       included_points_(shared.included_points_),
       lowest_(shared.lowest_),
@@ -224,7 +219,7 @@ TrialSet StepSurface::below(double limit) const {
     const TrialSet own = shared.below(limit);
     std::vector<std::int64_t> mine(static_cast<std::size_t>(own.n));
     for (std::int64_t i = 0; i < own.n; ++i) mine[static_cast<std::size_t>(i)] = own.point(i) + shared.first_row() * nx_;
-    trial.index = shared.ranks()->of_any(mine);
+    trial.index = shared.company().joined(std::move(mine));
     trial.n = static_cast<std::int64_t>(trial.index.size());
     tiles_->hold_tiles_of(trial.index);
     return trial;

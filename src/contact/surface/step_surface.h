@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "contact/surface/gathered_tiles.h"
-#include "core/chunks.h"
+#include "core/company.h"
 #include "grid/gap_values.h"
 #include "operator/operator.h"
 
@@ -39,7 +39,7 @@ struct Extent {
 };
 
 // A gap over nx * ny points, and which of them count; an empty mask: all.
-// With ranks: over this rank's rows.
+// By rows: over those of this process.
 struct GivenSurface {
   std::int64_t nx = 0, ny = 0;
   GapValues gap;
@@ -50,12 +50,11 @@ struct GivenSurface {
 class StepSurface {
  public:
   StepSurface() = default;
-  // Throws Error(ARGUMENT) on values that are not finite outside the mask. The team must outlive it. ranks: null, or those that
-  // share the surface by rows, which must outlive it, too: points are those of this rank's rows, numbers and extents those of the
-  // whole surface, and all ranks call the same functions.
-  StepSurface(const GivenSurface& given, const rc_team& team, const Ranks* ranks = nullptr);
-  // All of a surface that ranks share: every rank has the tiles of it that all have asked for, and can give the gap there alone.
-  // The ranks call its functions together. shared must outlive it.
+  // Throws Error(ARGUMENT) on values that are not finite outside the mask. The team must outlive it. By rows, points are
+  // those of this process, numbers and extents those of the whole surface, and all processes call the same functions.
+  StepSurface(const GivenSurface& given, const rc_team& team, const Company& company = {});
+  // All of a surface that processes share: each has the tiles of it that all have asked for, and can give the gap there alone.
+  // They call its functions together. shared must outlive it.
   StepSurface(const StepSurface& shared, const rc_team& team);
   StepSurface(StepSurface&&) = default;
   StepSurface& operator=(StepSurface&&) = default;
@@ -63,37 +62,22 @@ class StepSurface {
 
   bool empty() const { return !team_; }
   std::int64_t nx() const { return nx_; }
-  const Ranks* ranks() const { return ranks_; }
-  std::int64_t first_row() const { return ranks_ ? ranks_->first_row() : 0; }
+  const Company& company() const { return company_; }
+  std::int64_t first_row() const { return company_.first_row(); }
   std::int64_t points() const { return tiles_ ? all_points_ : static_cast<std::int64_t>(gap_.size()); }  // of this process
   // Null, or the tiles of it that this process has.
   GatheredTiles* tiles() const { return tiles_.get(); }
-  Chunks chunks() const { return Chunks::of(ranks_, nx_); }
+  Chunks chunks() const { return company_.chunks(nx_); }
   // The sum of what add(part, entry) adds for entries 0 .. n-1, by pieces of a fixed size. entry(k): its point, ascending with k.
   template <class Part, class Entry, class Add> Part sum_over(std::size_t n, const Entry& entry, const Add& add) const {
-    constexpr std::int64_t entries_of_a_piece = std::int64_t{1} << 16;
-    if (!ranks_)
-      return reduce<Part>(
-          static_cast<std::int64_t>(n), team(),
-          [&](std::int64_t begin, std::int64_t count) {
-            Part part;
-            for (std::int64_t k = begin; k < begin + count; ++k) add(part, entry(static_cast<std::size_t>(k)));
-            return part;
-          },
-          Part{}, {}, Chunks{entries_of_a_piece});
-    std::vector<Part> parts(static_cast<std::size_t>(chunks().count(points())));
-    for (std::size_t k = 0; k < n; ++k) add(parts[entry(k) / static_cast<std::size_t>(chunks().values)], entry(k));
-    for (std::size_t i = 0; i < parts.size(); ++i) ranks_->put_part(i, parts[i]);
-    Part total;
-    ranks_->each_part<Part>([&](const Part& part) { total = total + part; });
-    return total;
+    return company_.sum_over<Part>(n, points(), nx_, team(), entry, add);
   }
   // The same for a list of points.
   template <class Part, class Add> Part sum_over(std::span<const std::size_t> entries, const Add& add) const {
     return sum_over<Part>(
         entries.size(), [&](std::size_t k) { return entries[k]; }, add);
   }
-  // Combines the entries of all ranks by add(part, entry), for parts that are exact in any order: counts, extents, extremes.
+  // Combines the entries of all processes by add(part, entry), for parts that are exact in any order: counts, extents, extremes.
   template <class Part, class Add> Part combined_over(std::span<const std::size_t> entries, const Add& add) const {
     return united(reduce<Part>(static_cast<std::int64_t>(entries.size()), team(), [&](std::int64_t begin, std::int64_t count) {
       Part part;
@@ -102,19 +86,14 @@ class StepSurface {
       return part;
     }));
   }
-  // Of all ranks, where the order does not matter.
-  template <class Part> Part united(const Part& mine) const {
-    if (!ranks_) return mine;
-    Part total{};
-    for (const Part& part : ranks_->of_each(mine)) total = total + part;
-    return total;
-  }
+  // The sum over all processes, if the order does not matter.
+  template <class Part> Part united(const Part& mine) const { return company_.united(mine); }
   const rc_team& team() const { return *team_; }
   bool equals(const StepSurface&, const rc_team& team) const;  // NaN under the mask counts as equal
   const GapValues& gap() const { return gap_; }
   // The same in 8 bytes a point: a copy, made when first asked for, where the gap has 4.
   const double* gap_in_double() const;
-  // With ranks: the gap that a solver reads, which is far above all others where the mask is 0. Call fill_masked() first.
+  // By rows: the gap that a solver reads, which is far above all others where the mask is 0. Call fill_masked() first.
   const GapValues& gap_for_solver() const { return filled_.empty() ? gap_ : filled_; }
   void fill_masked(double side);
   std::span<const std::uint8_t> masks() const { return mask_; }
@@ -167,7 +146,7 @@ class StepSurface {
   std::vector<Extent> extents_below(double limit) const;
 
   const rc_team* team_ = nullptr;
-  const Ranks* ranks_ = nullptr;
+  Company company_;
   std::unique_ptr<GatheredTiles> tiles_;
   std::int64_t nx_ = 0, ny_ = 0, all_points_ = 0;
   std::unique_ptr<double[]> own_gap_;

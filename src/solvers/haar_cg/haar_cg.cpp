@@ -11,7 +11,6 @@
 
 #include "solvers/haar_cg/iteration/iteration.h"
 #include "solvers/haar_cg/near/near_steps.h"
-#include "solvers/haar_cg/regular_start.h"
 #include "solvers/haar_cg/single_pressures.h"
 #include "solvers/haar_cg/starts.h"
 #include "solvers/haar_cg/threads/thread_machine.h"
@@ -93,12 +92,10 @@ rc_status iterate(const Problem& problem, std::span<double> p, double& d) {
 const Options haar_cg_options = listed(haar_specs);
 
 rc_status haar_cg(const Problem& problem, std::span<double> p, double& d) {
-  // A regular surface shows in the values of the whole grid, which ranks do not have.
   const char* const coarse_solver = problem.option_int("haar-cg.nested") != 0 ? "haar-cg" : nullptr;
   NearSteps near(problem);
   if (near.solve(p, d)) return near.keep(p), RC_OK;
-  if (!serves(problem, coarse_solver, p) && (problem.ranks() || !start_regular(problem, p)))
-    start_haar_cg(problem, {coarse_solver}, p, d);
+  if (!serves(problem, coarse_solver, p)) start_haar_cg(problem, {coarse_solver}, p, d);
   const rc_status status = iterate(problem, p, d);
   if (status == RC_OK) near.keep(p);
   if (status != RC_STOP_STALLED || problem.load_control() || !problem.has_subset()) return status;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/chunks.h"
+#include "core/start_terms.h"
 #include "core/sums.h"
 #include "grid/downsample.h"
 
@@ -15,7 +16,6 @@ namespace {
 constexpr std::int64_t coarsest_side = 64;
 constexpr double coarse_tol = 1e-2;    // spreading the pressures to the finer grid loses further digits
 constexpr double farthest = 1.25;      // ratio of two loads: beyond, coarser grids tell more than the other load's pressures
-constexpr double many = 0.25;          // of the points: within the length unit where a load starts everywhere
 constexpr std::size_t few_loaded = 4;  // points that carry a load each by itself: then the others start without pressure
 constexpr std::int64_t remembered = 256 * 256;  // most points of a coarse grid that is kept for later steps as it is
 
@@ -135,7 +135,7 @@ void start_cold(const Problem& problem, std::span<double> p) {
     Part part;
     for (std::int64_t i = begin; i < begin + count; ++i) {
       double& value = p[static_cast<std::size_t>(i)];
-      value = std::max(0.0, 1 + problem.compenetration(i));
+      value = cold_pressure(problem.compenetration(i));
       part.sum += value;
       part.most = std::max(part.most, value);
       part.within += value > 0 ? 1 : 0;
@@ -147,7 +147,7 @@ void start_cold(const Problem& problem, std::span<double> p) {
   const Part all =
       reduce<Part>(problem.size(), problem.team(), body, {}, {}, ranks ? Chunks::of(ranks, problem.grid()->nx) : whole);
   const auto n = static_cast<double>(all.n);
-  const bool everywhere = static_cast<double>(all.within) > many * n || all.most * problem.load() >= problem.cap() * all.sum;
+  const bool everywhere = starts_everywhere(static_cast<double>(all.within), n, all.most, all.sum, problem.load(), problem.cap());
   for (std::size_t i = 0; i < p.size(); ++i)
     p[i] = !everywhere ? p[i] * (problem.load() / all.sum) : carries(i) ? problem.load() / n : 0;
 }

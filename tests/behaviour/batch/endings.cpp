@@ -175,21 +175,6 @@ void progress_ends_the_batch() {
   }
 }
 
-// What lies behind an older caller's struct is not looked at.
-void an_older_callers_batch_has_no_progress() {
-  const Study study = rough_study(2, 1);
-  Heard heard;
-  heard.end_at = 0;
-  check_outcome(study.solve(1,
-                            [&](rc_batch& batch) {
-                              batch.struct_size = offsetof(rc_batch, progress);
-                              batch.progress = hear;
-                              batch.user = &heard;
-                            }),
-                RC_OK, 2, 2, -1);
-  check_equal(heard.calls.load(), std::int64_t{0}, "calls");
-}
-
 void the_time_limit_is_the_batchs() {
   Study study = rough_study(4, 2);
   study.settings = {{RC_OPT_TIME_LIMIT, "1e-9"}};
@@ -231,7 +216,6 @@ std::vector<Test> ending_tests() {
           {"fn_ends_it_after_the_last_step", fn_ends_it_after_the_last_step},
           {"progress_hears_of_every_step", progress_hears_of_every_step},
           {"progress_ends_the_batch", progress_ends_the_batch},
-          {"an_older_callers_batch_has_no_progress", an_older_callers_batch_has_no_progress},
           {"the_time_limit_is_the_batchs", the_time_limit_is_the_batchs},
           {"a_running_solve_is_stopped", a_running_solve_is_stopped}};
 }

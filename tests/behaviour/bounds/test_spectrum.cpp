@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/proof/spectrum.h"
+#include "contact/spectrum.h"
 #include "contact/system.h"
 #include "kernel/kernel.h"
 #include "kernel/lowest_eigenvalue.h"

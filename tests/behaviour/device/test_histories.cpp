@@ -15,7 +15,7 @@ const rc_plugin* forgetful() {
   static const rc_solver* const solvers[] = {&solver};
   static rc_plugin copy = *plugin();
   solver.solve = [](const rc_host* host, const rc_problem* problem, const rc_options* options, double* p, double* d) {
-    const_cast<rc_problem*>(problem)->history = nullptr;
+    const_cast<rc_problem*>(problem)->kept = nullptr;
     return plugin()->solvers[0]->solve(host, problem, options, p, d);
   };
   copy.solvers = solvers;

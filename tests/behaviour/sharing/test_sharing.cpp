@@ -185,10 +185,6 @@ void contacts_of_another_system_do_not_share(void**) {
                                    .abi_minor = RC_PLUGIN_ABI_MINOR,
                                    .name = "counted",
                                    .version = "1.0",
-                                   .n_backends = 0,
-                                   .n_solvers = 0,
-                                   .backends = nullptr,
-                                   .solvers = nullptr,
                                    .n_kernels = 1,
                                    .kernels = kernels};
   const Owned<rc_context> shared = context();

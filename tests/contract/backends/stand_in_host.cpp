@@ -78,6 +78,11 @@ StandInHost::StandInHost(const rc_backend& backend)
     rc::kernel::window_coefficients(*rc::kernel::find(kernel), system->hx, system->hy, {first_x, first_y, mx, my}, out);
     return rc_status{RC_OK};
   };
+  share = [](const rc_host* host, const char*, rc_status (*make)(void*, void**), void (*destroy)(void*), void* argument,
+             void** object) { return self(host).objects_.add(make, destroy, argument, object); };
+  release = [](const rc_host* host, void* object) { self(host).objects_.remove(object); };
+  keep = [](const rc_host* host, std::int32_t, const char*, rc_status (*make)(void*, void**), void (*destroy)(void*),
+            void* argument, void** object) { return self(host).objects_.add(make, destroy, argument, object); };
 }
 
 }  // namespace contract

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/thread_team.h"
+#include "support/unshared.h"
 
 namespace contract {
 
@@ -37,6 +38,7 @@ class StandInHost : public rc_host {
   std::map<std::string, std::string> options_;
   rc::ThreadTeam alone_{1};
   std::atomic<rc_status> answer_{RC_OK};
+  mutable support::Unshared objects_;
   mutable std::mutex lock_;  // one for all resources
 };
 

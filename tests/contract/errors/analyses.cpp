@@ -99,8 +99,7 @@ Section analyses() {
            })},
           {"analysis: struct_size = 0",
            refused,
-           {"rc_histogram_fill: rc_histogram.struct_size = " + too_small(0, &rc_histogram::max_pressure) +
-            "; set it to sizeof(rc_histogram)"},
+           {"rc_histogram_fill: rc_histogram.struct_size = " + too_small<rc_histogram>(0) + "; set it to sizeof(rc_histogram)"},
            all_with([](Call& c) {
              c.area.struct_size = c.patches.struct_size = c.histogram.struct_size = c.crossing.struct_size = 0;
            })},

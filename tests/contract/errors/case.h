@@ -31,17 +31,10 @@ struct Section {
   std::vector<Case> cases;
 };
 
-// The size of a struct whose first release ended with the member `last`. It follows the width of pointers; the document, which is
-// compared with this table where they have 64 bits, has the numbers.
-template <class Struct, class Member> std::size_t first_size(Member Struct::*last) {
-  static const Struct any{};
-  const auto end = reinterpret_cast<const char*>(&(any.*last) + 1) - reinterpret_cast<const char*>(&any);
-  return (static_cast<std::size_t>(end) + alignof(Struct) - 1) / alignof(Struct) * alignof(Struct);
-}
-
-// How a message goes on after "struct_size = ".
-template <class Struct, class Member> std::string too_small(std::size_t size, Member Struct::*last) {
-  return std::to_string(size) + " is smaller than " + std::to_string(first_size(last));
+// How a message goes on after "struct_size = ". The size follows the width of pointers; the document, which is compared with this
+// table where they have 64 bits, has the numbers.
+template <class Struct> std::string too_small(std::size_t size) {
+  return std::to_string(size) + " is smaller than " + std::to_string(sizeof(Struct));
 }
 
 Section null_pointers();

@@ -140,13 +140,11 @@ Section derivatives() {
            [] { return rc_contact_tangent(made(Scene()).get(), nullptr); }},
           {"rc_gradient.struct_size = 0",
            refused,
-           {"rc_contact_gradient: rc_gradient.struct_size = " + too_small(0, &rc_gradient::products) +
-            "; set it to sizeof(rc_gradient)"},
+           {"rc_contact_gradient: rc_gradient.struct_size = " + too_small<rc_gradient>(0) + "; set it to sizeof(rc_gradient)"},
            reverse_mode([](Request& r) { r.gradient.struct_size = 0; })},
           {"rc_tangent.struct_size = 0",
            refused,
-           {"rc_contact_tangent: rc_tangent.struct_size = " + too_small(0, &rc_tangent::products) +
-            "; set it to sizeof(rc_tangent)"},
+           {"rc_contact_tangent: rc_tangent.struct_size = " + too_small<rc_tangent>(0) + "; set it to sizeof(rc_tangent)"},
            forward_mode([](Request& r) { r.tangent.struct_size = 0; })},
           {"derivatives before a step", refused, {not_certified}, after([](rc_contact*, const Scene&) {})},
           {"derivatives after a step that failed", refused, {not_certified}, after([](rc_contact* contact, Scene scene) {
@@ -224,7 +222,7 @@ Section derivatives() {
            })},
           {"conductance: result of an unknown size",
            refused,
-           {"rc_conductance: rc_result.struct_size = " + too_small(0, &rc_result::note)},
+           {"rc_conductance: rc_result.struct_size = " + too_small<rc_result>(0)},
            conductance([](Conduct& c) { c.result.struct_size = 0; })},
           {"conductance: a matrix",
            refused,

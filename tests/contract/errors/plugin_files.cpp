@@ -48,7 +48,7 @@ Outcome plugin_file(bool open_directory, bool open_file) {
 template <class Change> auto registering(const Change& change) {
   return [change] {
     rc_plugin plugin = {
-        sizeof(rc_plugin), RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR, "mine", "1.0", 0, 0, nullptr, nullptr, 0, nullptr};
+        sizeof(rc_plugin), RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR, "mine", "1.0", 0, 0, 0, nullptr, nullptr, nullptr};
     change(plugin);
     rc_context* context = nullptr;
     assert_int_equal(rc_context_create(nullptr, &context), RC_OK);

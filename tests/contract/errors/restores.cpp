@@ -56,8 +56,7 @@ Section restores() {
            [] { return rc_contact_restore(made(Scene()).get(), nullptr); }},
           {"rc_state.struct_size = 0",
            refused,
-           {"rc_contact_restore: rc_state.struct_size = " + too_small(0, &rc_state::load_before) +
-            "; set it to sizeof(rc_state)"},
+           {"rc_contact_restore: rc_state.struct_size = " + too_small<rc_state>(0) + "; set it to sizeof(rc_state)"},
            restored([](Stand& stand) { stand.state.struct_size = 0; })},
           {"state without a gap", refused, {"rc_contact_restore: rc_state.undeformed_gap is null"}, restored([](Stand& stand) {
              stand.state.undeformed_gap = nullptr;

@@ -1,8 +1,6 @@
 #include <roughcontact/direct.h>
 #include <roughcontact/history.h>
 
-#include <cstring>
-
 #include "case.h"
 #include "scene.h"
 
@@ -69,20 +67,6 @@ Outcome newer_result_with_content() {
   return rc_solve(&scene.system, &scene.step, nullptr, &result.head);
 }
 
-// A caller of the first release: what lies behind its struct is not the library's.
-Outcome oldest_result() {
-  const Scene scene;
-  const std::size_t first = first_size(&rc_result::note);
-  rc_result result{};
-  result.struct_size = first;
-  std::memset(reinterpret_cast<unsigned char*>(&result) + first, 0x5a, sizeof result - first);
-  const Outcome outcome = rc_solve(&scene.system, &scene.step, nullptr, &result);
-  assert_int_equal(result.struct_size, first);
-  assert_true(result.load > 0);
-  for (std::size_t i = first; i < sizeof result; ++i) assert_int_equal(reinterpret_cast<const unsigned char*>(&result)[i], 0x5a);
-  return outcome;
-}
-
 Outcome path_of_size(std::size_t size) {
   const Scene scene;
   const ContactHandle contact = made(scene);
@@ -129,113 +113,112 @@ Outcome described_with_size(rc_status (*describe)(rc_context*, std::int64_t, rc_
 
 Section struct_sizes() {
   const rc_status refused = RC_ERR_ARGUMENT;
-  return {"Sized structs",
-          {
-              {"rc_system.struct_size = 0",
-               refused,
-               {"rc_contact_create: rc_system.struct_size = " + too_small(0, &rc_system::user) + "; set it to sizeof(rc_system)"},
-               [] { return system_of_size(0); }},
-              {"rc_system.struct_size one byte too small",
-               refused,
-               {"rc_system.struct_size = " + too_small(first_size(&rc_system::user) - 1, &rc_system::user)},
-               [] { return system_of_size(first_size(&rc_system::user) - 1); }},
-              {"rc_system.struct_size = SIZE_MAX",
-               refused,
-               {"rc_system.struct_size = " + too_large<rc_system>()},
-               [] { return system_of_size(SIZE_MAX); }},
-              {"rc_step.struct_size = 0",
-               refused,
-               {"rc_solve: rc_step.struct_size = " + too_small(0, &rc_step::mask)},
-               [] { return step_of_size(0); }},
-              {"rc_step.struct_size one byte too small",
-               refused,
-               {"rc_step.struct_size = " + too_small(first_size(&rc_step::mask) - 1, &rc_step::mask)},
-               [] { return step_of_size(first_size(&rc_step::mask) - 1); }},
-              {"rc_step.struct_size = SIZE_MAX",
-               refused,
-               {"rc_step.struct_size = " + too_large<rc_step>()},
-               [] { return step_of_size(SIZE_MAX); }},
-              {"rc_result.struct_size = 0",
-               refused,
-               {"rc_solve: rc_result.struct_size = " + too_small(0, &rc_result::note)},
-               [] { return result_of_size(0); }},
-              {"rc_result.struct_size one byte too small",
-               refused,
-               {"rc_result.struct_size = " + too_small(first_size(&rc_result::note) - 1, &rc_result::note)},
-               [] { return result_of_size(first_size(&rc_result::note) - 1); }},
-              {"rc_result.struct_size = SIZE_MAX",
-               refused,
-               {"rc_result.struct_size = " + too_large<rc_result>()},
-               [] { return result_of_size(SIZE_MAX); }},
-              {"rc_result of the first release", RC_OK, {}, oldest_result},
-              {"rc_history.struct_size = 0",
-               refused,
-               {"rc_contact_solve_history: rc_history.struct_size = " + too_small(0, &rc_history::completed) +
-                "; set it to sizeof(rc_history)"},
-               [] { return path_of_size(0); }},
-              {"rc_history.struct_size = SIZE_MAX",
-               refused,
-               {"rc_history.struct_size = " + too_large<rc_history>()},
-               [] { return path_of_size(SIZE_MAX); }},
-              {"rc_batch.struct_size one byte too small",
-               refused,
-               {"rc_batch_solve: rc_batch.struct_size = " + too_small(first_size(&rc_batch::first) - 1, &rc_batch::first) +
-                "; set it to sizeof(rc_batch)"},
-               [] { return batch_of_size(first_size(&rc_batch::first) - 1); }},
-              {"rc_batch.struct_size = SIZE_MAX",
-               refused,
-               {"rc_batch.struct_size = " + too_large<rc_batch>()},
-               [] { return batch_of_size(SIZE_MAX); }},
-              {"rc_level.struct_size = 0",
-               refused,
-               {"rc_contact_level: rc_level.struct_size = " + too_small(0, &rc_level::contacts) + "; set it to sizeof(rc_level)"},
-               [] { return level_of_size(0); }},
-              {"rc_direct.struct_size = 0",
-               refused,
-               {"rc_nnls: rc_direct.struct_size = " + too_small(0, &rc_direct::note) + "; set it to sizeof(rc_direct)"},
-               [] {
-                 const double H = 1, u = 1;
-                 double pressure = 0;
-                 rc_direct result{};
-                 return Outcome(rc_nnls(1, &H, 1, &u, &pressure, nullptr, 1e-8, 100, &result));
-               }},
-              {"structs of a newer header, the unknown part zero", RC_OK, {}, [] { return newer(0); }},
-              {"structs of a newer header, the unknown part set",
-               refused,
-               {"rc_system.struct_size = " + unknown<rc_system>() + " to this library are set; a newer library is needed"},
-               [] { return newer(1); }},
-              {"rc_result of a newer header, the unknown part set",
-               refused,
-               {"rc_result.struct_size = " + unknown<rc_result>()},
-               newer_result_with_content},
-              {"rc_context_config.struct_size = 0",
-               refused,
-               {"rc_context_create: rc_context_config.struct_size = " + too_small(0, &rc_context_config::log_user)},
-               [] { return config_of_size(0); }},
-              {"rc_context_config.struct_size = SIZE_MAX",
-               refused,
-               {"rc_context_config.struct_size = " + too_large<rc_context_config>()},
-               [] { return config_of_size(SIZE_MAX); }},
-              {"rc_component.struct_size = 0 for a backend",
-               refused,
-               {"rc_backend_describe: rc_component.struct_size = " + too_small(0, &rc_component::origin)},
-               [] { return described_with_size(rc_backend_describe, 0); }},
-              {"rc_component.struct_size = 0 for a solver",
-               refused,
-               {"rc_solver_describe: rc_component.struct_size = " + too_small(0, &rc_component::origin)},
-               [] { return described_with_size(rc_solver_describe, 0); }},
-              {"rc_component.struct_size = 0 for a kernel",
-               refused,
-               {"rc_kernel_describe: rc_component.struct_size = " + too_small(0, &rc_component::origin)},
-               [] { return described_with_size(rc_kernel_describe, 0); }},
-              {"rc_option_spec.struct_size = 0",
-               refused,
-               {"rc_options_describe: rc_option_spec.struct_size = " + too_small(0, &rc_option_spec::maximum)},
-               [] {
-                 rc_option_spec spec{};
-                 return Outcome(rc_options_describe(nullptr, 0, &spec));
-               }},
-          }};
+  return {
+      "Sized structs",
+      {
+          {"rc_system.struct_size = 0",
+           refused,
+           {"rc_contact_create: rc_system.struct_size = " + too_small<rc_system>(0) + "; set it to sizeof(rc_system)"},
+           [] { return system_of_size(0); }},
+          {"rc_system.struct_size one byte too small",
+           refused,
+           {"rc_system.struct_size = " + too_small<rc_system>(sizeof(rc_system) - 1)},
+           [] { return system_of_size(sizeof(rc_system) - 1); }},
+          {"rc_system.struct_size = SIZE_MAX",
+           refused,
+           {"rc_system.struct_size = " + too_large<rc_system>()},
+           [] { return system_of_size(SIZE_MAX); }},
+          {"rc_step.struct_size = 0",
+           refused,
+           {"rc_solve: rc_step.struct_size = " + too_small<rc_step>(0)},
+           [] { return step_of_size(0); }},
+          {"rc_step.struct_size one byte too small",
+           refused,
+           {"rc_step.struct_size = " + too_small<rc_step>(sizeof(rc_step) - 1)},
+           [] { return step_of_size(sizeof(rc_step) - 1); }},
+          {"rc_step.struct_size = SIZE_MAX",
+           refused,
+           {"rc_step.struct_size = " + too_large<rc_step>()},
+           [] { return step_of_size(SIZE_MAX); }},
+          {"rc_result.struct_size = 0",
+           refused,
+           {"rc_solve: rc_result.struct_size = " + too_small<rc_result>(0)},
+           [] { return result_of_size(0); }},
+          {"rc_result.struct_size one byte too small",
+           refused,
+           {"rc_result.struct_size = " + too_small<rc_result>(sizeof(rc_result) - 1)},
+           [] { return result_of_size(sizeof(rc_result) - 1); }},
+          {"rc_result.struct_size = SIZE_MAX",
+           refused,
+           {"rc_result.struct_size = " + too_large<rc_result>()},
+           [] { return result_of_size(SIZE_MAX); }},
+          {"rc_history.struct_size = 0",
+           refused,
+           {"rc_contact_solve_history: rc_history.struct_size = " + too_small<rc_history>(0) + "; set it to sizeof(rc_history)"},
+           [] { return path_of_size(0); }},
+          {"rc_history.struct_size = SIZE_MAX",
+           refused,
+           {"rc_history.struct_size = " + too_large<rc_history>()},
+           [] { return path_of_size(SIZE_MAX); }},
+          {"rc_batch.struct_size one byte too small",
+           refused,
+           {"rc_batch_solve: rc_batch.struct_size = " + too_small<rc_batch>(sizeof(rc_batch) - 1) +
+            "; set it to sizeof(rc_batch)"},
+           [] { return batch_of_size(sizeof(rc_batch) - 1); }},
+          {"rc_batch.struct_size = SIZE_MAX",
+           refused,
+           {"rc_batch.struct_size = " + too_large<rc_batch>()},
+           [] { return batch_of_size(SIZE_MAX); }},
+          {"rc_level.struct_size = 0",
+           refused,
+           {"rc_contact_level: rc_level.struct_size = " + too_small<rc_level>(0) + "; set it to sizeof(rc_level)"},
+           [] { return level_of_size(0); }},
+          {"rc_direct.struct_size = 0",
+           refused,
+           {"rc_nnls: rc_direct.struct_size = " + too_small<rc_direct>(0) + "; set it to sizeof(rc_direct)"},
+           [] {
+             const double H = 1, u = 1;
+             double pressure = 0;
+             rc_direct result{};
+             return Outcome(rc_nnls(1, &H, 1, &u, &pressure, nullptr, 1e-8, 100, &result));
+           }},
+          {"structs of a newer header, the unknown part zero", RC_OK, {}, [] { return newer(0); }},
+          {"structs of a newer header, the unknown part set",
+           refused,
+           {"rc_system.struct_size = " + unknown<rc_system>() + " to this library are set; a newer library is needed"},
+           [] { return newer(1); }},
+          {"rc_result of a newer header, the unknown part set",
+           refused,
+           {"rc_result.struct_size = " + unknown<rc_result>()},
+           newer_result_with_content},
+          {"rc_context_config.struct_size = 0",
+           refused,
+           {"rc_context_create: rc_context_config.struct_size = " + too_small<rc_context_config>(0)},
+           [] { return config_of_size(0); }},
+          {"rc_context_config.struct_size = SIZE_MAX",
+           refused,
+           {"rc_context_config.struct_size = " + too_large<rc_context_config>()},
+           [] { return config_of_size(SIZE_MAX); }},
+          {"rc_component.struct_size = 0 for a backend",
+           refused,
+           {"rc_backend_describe: rc_component.struct_size = " + too_small<rc_component>(0)},
+           [] { return described_with_size(rc_backend_describe, 0); }},
+          {"rc_component.struct_size = 0 for a solver",
+           refused,
+           {"rc_solver_describe: rc_component.struct_size = " + too_small<rc_component>(0)},
+           [] { return described_with_size(rc_solver_describe, 0); }},
+          {"rc_component.struct_size = 0 for a kernel",
+           refused,
+           {"rc_kernel_describe: rc_component.struct_size = " + too_small<rc_component>(0)},
+           [] { return described_with_size(rc_kernel_describe, 0); }},
+          {"rc_option_spec.struct_size = 0",
+           refused,
+           {"rc_options_describe: rc_option_spec.struct_size = " + too_small<rc_option_spec>(0)},
+           [] {
+             rc_option_spec spec{};
+             return Outcome(rc_options_describe(nullptr, 0, &spec));
+           }},
+      }};
 }
 
 }  // namespace errors

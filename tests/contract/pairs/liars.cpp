@@ -94,7 +94,7 @@ const rc_solver* const list[] = {&solvers[0], &solvers[1], &solvers[2], &solvers
                                  &solvers[4], &solvers[5], &solvers[6], &solvers[7]};
 static_assert(std::size(list) == std::size(solvers));
 const rc_plugin plugin = {
-    sizeof(rc_plugin), RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR, "tests", "1", 0, std::size(list), nullptr, list};
+    sizeof(rc_plugin), RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR, "tests", "1", 0, std::size(list), 0, nullptr, list, nullptr};
 
 Context make_context() {
   rc_context* made = nullptr;

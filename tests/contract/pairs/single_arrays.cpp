@@ -136,8 +136,9 @@ void coarser_grids_serve_it(const Settings& settings, rc_status expected) {
 Field seen;
 rc_status look(const rc_host*, const rc_problem* problem, const rc_options*, double*, double*) {
   const rc_grid& grid = *problem->grid;
-  if (grid.undeformed_gap_single || !grid.undeformed_gap) return RC_STOP_STALLED;
-  seen.assign(grid.undeformed_gap, grid.undeformed_gap + grid.nx * grid.ny);
+  if (grid.undeformed_gap.type != RC_NATIVE || !grid.undeformed_gap.data) return RC_STOP_STALLED;
+  const auto* const gap = static_cast<const double*>(grid.undeformed_gap.data);
+  seen.assign(gap, gap + grid.nx * grid.ny);
   return RC_STOP_STALLED;
 }
 

@@ -44,22 +44,6 @@ void a_fallback_is_named_in_the_result(void**) {
   assert_has(registry.result().note, "backend \"toy\" cannot factor");
 }
 
-void a_shorter_vtable_of_an_older_header_works(void**) {
-  const Scratch scratch;
-  scratch.put({"old_minor"});
-  const Registry registry(scratch.path());
-  assert_near(registry.load("nnls", "old_minor"), registry.load("nnls", "dense"));
-}
-
-// A backend built with the header in which backends had no shifted() and norm().
-void a_lower_minor_version_works(void**) {
-  const Scratch scratch;
-  scratch.put({"minor_zero"});
-  const Registry registry(scratch.path());
-  for (const char* solver : {"nnls", "polonsky-keer"})
-    assert_near(registry.load(solver, "minor_zero"), registry.load("nnls", "dense"));
-}
-
 void a_higher_minor_version_works(void**) {
   const Scratch scratch;
   scratch.put({"future_minor"});
@@ -107,11 +91,14 @@ void two_contexts_load_the_same_file(void**) {
 }  // namespace
 
 const std::vector<CMUnitTest> good_tests = {
-    cmocka_unit_test(a_naive_backend_serves_every_solver), cmocka_unit_test(a_solver_from_outside_uses_every_backend),
-    cmocka_unit_test(a_fallback_is_named_in_the_result),   cmocka_unit_test(a_shorter_vtable_of_an_older_header_works),
-    cmocka_unit_test(a_higher_minor_version_works),        cmocka_unit_test(a_plugin_is_listed_with_its_file),
-    cmocka_unit_test(a_dotted_option_loads_its_component), cmocka_unit_test(a_preference_list_passes_over_what_is_refused),
-    cmocka_unit_test(two_contexts_load_the_same_file),     cmocka_unit_test(a_lower_minor_version_works),
+    cmocka_unit_test(a_naive_backend_serves_every_solver),
+    cmocka_unit_test(a_solver_from_outside_uses_every_backend),
+    cmocka_unit_test(a_fallback_is_named_in_the_result),
+    cmocka_unit_test(a_higher_minor_version_works),
+    cmocka_unit_test(a_plugin_is_listed_with_its_file),
+    cmocka_unit_test(a_dotted_option_loads_its_component),
+    cmocka_unit_test(a_preference_list_passes_over_what_is_refused),
+    cmocka_unit_test(two_contexts_load_the_same_file),
 };
 
 }  // namespace plugins

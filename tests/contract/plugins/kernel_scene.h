@@ -65,10 +65,6 @@ inline rc_status add(const Registry& registry, const rc_kernel& kernel) {
                             .abi_minor = RC_PLUGIN_ABI_MINOR,
                             .name = "decay",
                             .version = "1.0",
-                            .n_backends = 0,
-                            .n_solvers = 0,
-                            .backends = nullptr,
-                            .solvers = nullptr,
                             .n_kernels = 1,
                             .kernels = kernels};
   return rc_context_register(registry.get(), &plugin);

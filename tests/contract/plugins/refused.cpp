@@ -42,6 +42,7 @@ constexpr Spoilt no_symbol{"no_symbol", "rcb_no_symbol" RC_PLUGIN_SUFFIX " does 
 constexpr Spoilt wrong_name{"wrong_name", "rcb_wrong_name" RC_PLUGIN_SUFFIX " calls itself \"other\", not \"wrong_name\""};
 constexpr Spoilt no_name{"no_name", "rcb_no_name" RC_PLUGIN_SUFFIX " calls itself \"\", not \"no_name\""};
 constexpr Spoilt small_plugin{"small_plugin", "struct_size 8 is smaller than"};
+constexpr Spoilt small_backend{"small_backend", "a backend has struct_size 8, smaller than"};
 constexpr Spoilt no_backends{"no_backends", "a list of components is null"};
 constexpr Spoilt null_apply{"null_apply", "backend \"null_apply\" lacks one of create, destroy, bind, apply, field, modelled"};
 constexpr Spoilt cap_lies{"cap_lies", "backend \"cap_lies\" has no subset() but its caps say otherwise"};
@@ -184,6 +185,7 @@ const std::vector<CMUnitTest> refused_tests = {
     REFUSED(wrong_name),
     REFUSED(no_name),
     REFUSED(small_plugin),
+    REFUSED(small_backend),
     REFUSED(no_backends),
     REFUSED(null_apply),
     REFUSED(cap_lies),

@@ -105,13 +105,27 @@ void new_operations_and_their_bits_go_together(void**) {
   assert_message_has("has shifted() but its caps say otherwise");
   assert_int_equal(backend_registered([](rc_backend& b) { b.norm = any_norm; }), RC_ERR_PLUGIN);
   assert_message_has("has norm() but its caps say otherwise");
-  // What lies beyond the size that the plugin's header knew is not looked at.
-  assert_int_equal(backend_registered([](rc_backend& b) {
-                     b.struct_size = offsetof(rc_backend, shifted);
-                     b.shifted = any_shifted;
-                     b.norm = any_norm;
-                   }),
-                   RC_OK);
+}
+
+rc_status no_step(const rc_host*, const rc_problem*, const rc_options*, double*, double*) { return RC_STOP_STALLED; }
+
+// Rows are for solvers that are built into the library.
+void a_solver_that_takes_rows_is_refused(void**) {
+  static rc_solver solver = {.struct_size = sizeof(rc_solver),
+                             .name = "by-rows",
+                             .summary = "a test's",
+                             .license = "BSD-3-Clause",
+                             .controls = RC_CONTROL_APPROACH,
+                             .solve = no_step};
+  static const rc_solver* const list[] = {&solver};
+  const auto change = [](rc_plugin& plugin) {
+    plugin.n_solvers = 1;
+    plugin.solvers = list;
+  };
+  assert_int_equal(registered(change), RC_OK);
+  solver.needs = RC_TAKES_ROWS;
+  assert_int_equal(registered(change), RC_ERR_PLUGIN);
+  assert_message_has("solver \"by-rows\" takes rows, which only solvers built into the library can");
 }
 
 // A backend that goes wrong once it is in use.
@@ -188,6 +202,7 @@ const std::vector<CMUnitTest> registration_tests = {
     cmocka_unit_test(spoilt_descriptions_are_refused),
     cmocka_unit_test(spoilt_backends_are_refused),
     cmocka_unit_test(new_operations_and_their_bits_go_together),
+    cmocka_unit_test(a_solver_that_takes_rows_is_refused),
     cmocka_unit_test(failures_of_a_backend_in_use_are_passed_on),
     cmocka_unit_test(products_that_are_not_finite_are_not_an_answer),
     cmocka_unit_test(a_product_that_is_wrong_is_uncertified),

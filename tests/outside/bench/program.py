@@ -1,5 +1,4 @@
 """The program under test: BUILD is the first argument of every test here. Times decide nothing."""
-import json
 import os
 import re
 import shutil
@@ -15,6 +14,8 @@ if 'ROUGHCONTACT_LIBRARY' not in os.environ:  # the test runs in the program's e
         start = launcher.read().split('\nexec ')[0]
     os.execvp('sh', ['sh', '-c', f'{start}\nexec {sys.executable} -B {os.path.abspath(sys.argv[0])} {" ".join(sys.argv[1:])}'])
 
+from json_tables import load
+
 
 def run(*arguments):
     """What the program printed."""
@@ -24,11 +25,6 @@ def run(*arguments):
 def counts(output):
     """(measured, failed, measured before)"""
     return [int(count) for count in re.search(r'(\d+) measured, (\d+) of them failed; (\d+) measured before', output).groups()]
-
-
-def load(folder, name):
-    with open(os.path.join(folder, name + '.json'), encoding='utf-8') as file:
-        return json.load(file)
 
 
 def sections(folder, page):

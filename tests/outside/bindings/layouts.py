@@ -57,8 +57,9 @@ def main() -> int:
             f"type({struct}), target :: x",
             f"integer(c_int8_t) :: ours({size}), theirs({size})",
             f"call check('{struct}', storage_size(x, c_size_t) / 8, {size})",
-            f"call check('{struct}%struct_size', x%struct_size, {size})",
         ]
+        if ("struct_size", "0") in members:
+            lines.append(f"call check('{struct}%struct_size', x%struct_size, {size})")
         lines += [
             f"call check('{struct}%{member}', distance(c_loc(x%{member}), c_loc(x)), {offset})" for member, offset in members
         ]

@@ -16,7 +16,6 @@ SAYS = {
     "bindings/python/roughcontact/__init__.py": r'^__version__ = "(.*)"',
     "packaging/conda/recipe.yaml": r'^  version: "(.*)"',
     "packaging/spack/package.py": r'^    version\("(.*?)"',
-    "tools/roughcontact.1": r'"roughcontact (\S+)"',
 }
 RECIPES = ["packaging/conda/recipe.yaml", "packaging/spack/package.py", "packaging/build.sh", "pyproject.toml"]
 

@@ -151,9 +151,9 @@ def test_notebooks_show_a_table_and_a_picture(answers, tmp_path):
 
 
 def test_specks_stay_in_small_pictures():
-    from roughcontact._pictures import largest_of_blocks
+    from roughcontact._blocks import largest
 
     p = np.zeros((500, 700))
     p[499, 699] = p[0, 0] = 1
-    small = largest_of_blocks(p, 160)
+    small = largest(p, 5)
     assert small.shape == (100, 140) and small[0, 0] == small[-1, -1] == 1 and small.sum() == 2

@@ -12,7 +12,7 @@ import pytest
 import roughcontact as rc
 from conftest import refused
 from roughcontact.report import command, page, wording
-from roughcontact.report.blocks import largest, means, side_of_blocks
+from roughcontact._blocks import largest, means, side_of_blocks
 from roughcontact.report.content import collect
 from roughcontact.report.quantities import quantity, targets, with_prefix
 from roughcontact.report.request import CURVE_POINTS, read_request
@@ -105,17 +105,17 @@ def test_the_numbers_are_those_of_solve(file, rough):
     assert len(content.steps) == 2 and content.certified and content.surface.periodic
     for step, target in zip(content.steps, (20e6, 100e6)):
         result = rc.solve(rough, modulus=content.request.modulus, pressure=target, tol=1e-8, want_gap=True, stiffness=1)
-        assert step.result.load == pytest.approx(result.load) and step.fraction == pytest.approx(
+        assert step.load == pytest.approx(result.load) and step.area_fraction == pytest.approx(
             result.contacts / result.points, abs=1e-3
         )
         assert step.mean_gap == pytest.approx(result.gap.mean(), rel=1e-4) and step.max_pressure == pytest.approx(
             result.pressure.max(), rel=1e-4
         )
-        assert step.result.stiffness == pytest.approx(result.stiffness, rel=1e-3)
-        assert step.corrected == pytest.approx(result.corrected_area / content.nominal_area, rel=1e-3)
-    assert step.patches == len(content.patches) and content.histogram.contacts == step.result.contacts
+        assert step.stiffness == pytest.approx(result.stiffness, rel=1e-3)
+        assert content.corrected(step) == pytest.approx(result.corrected_area / content.nominal_area, rel=1e-3)
+    assert step.patches == len(content.patches) and content.histogram.contacts == step.contacts
     assert content.persson == pytest.approx(rc.surface.analyze(rough).rms_slope)
-    assert content.persson_area(step.result.load) == pytest.approx(
+    assert content.persson_area(step.load) == pytest.approx(
         math.erf(math.sqrt(2) * 100e6 / content.request.modulus / content.persson)
     )
     assert content.maps.side == 1 and np.array_equal(content.maps.pressure > 0, content.maps.contact > 0)
@@ -127,7 +127,7 @@ def test_the_numbers_are_those_of_solve(file, rough):
 
 def test_words(file):
     content = collected(file, "--pressure", "5GPa")
-    assert f"Contact area {100 * content.steps[-1].fraction:.3g} % at" in wording.conclusion(content)
+    assert f"Contact area {100 * content.steps[-1].area_fraction:.3g} % at" in wording.conclusion(content)
     assert "above the hardness of any steel" in wording.conclusion(content)
     assert "10 of 10 steps are certified" in wording.certificate(content)
     told = " ".join(wording.assumptions(content))
@@ -163,7 +163,7 @@ def test_words(file):
 def test_what_was_pressed_stands_below_the_title(file):
     content = collected(file, "--pressure", "20MPa,100MPa", "--hardness", "8GPa")
     told = " ".join(wording.facts(content))
-    loads = [with_prefix(step.result.load, "N") for step in content.steps]
+    loads = [with_prefix(step.load, "N") for step in content.steps]
     for words in ("E* 231 GPa", "hardness 8 GPa", "periodic boundary", f"2 loads, {loads[0]} to {loads[1]}", content.version):
         assert words in told, told
     assert datetime.date.fromisoformat(content.date) and content.date in told
@@ -171,7 +171,7 @@ def test_what_was_pressed_stands_below_the_title(file):
 
 def test_intervals_have_a_half_width(file):
     content = collected(file, "--pressure", "20MPa")
-    r = content.steps[-1].result
+    r = content.steps[-1]
     middle, half = (r.load_lower + r.load_upper) / 2, (r.load_upper - r.load_lower) / 2
     assert wording.proof_rows(content)[-1][3] == f"{with_prefix(middle, 'N', 6)} ± {with_prefix(half, 'N', 2)}"
     assert "load, proven" in wording.PROOF_HEAD and "area, proven" in wording.PROOF_HEAD
@@ -225,7 +225,7 @@ def test_a_goal_for_the_accuracy(tmp_path):
         "0.2",
     ]
     content = collect(read_request(goal))
-    assert content.certified and [step.result.status for step in content.steps] == 2 * [rc.Status.WITHIN_GOAL]
+    assert content.certified and [step.status for step in content.steps] == 2 * [rc.Status.WITHIN_GOAL]
     assert "2 were solved on a coarser grid" in wording.certificate(content)
     assert "Contact area" in wording.conclusion(content) and "Not certified" not in wording.conclusion(content)
     assert all("points solved" in row[-2] for row in wording.proof_rows(content))

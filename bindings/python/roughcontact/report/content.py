@@ -9,6 +9,7 @@ import numpy as np
 
 from .. import surface as surfaces
 from .._arrays import Doubles
+from .._blocks import largest, means, side_of_blocks
 from .._errors import ArgumentError, LibraryNotFoundError
 from .._files import read
 from .._height_map import Surface
@@ -20,24 +21,10 @@ from ..context import version
 from ..result import Result
 from ..surface import PowerLaw, Spectrum, Statistics
 from ..system import HalfSpace
-from .blocks import largest, means, side_of_blocks
 from .request import Request
 
 MOST_CELLS = 150000  # of a map on the page
 BINS = 60
-
-
-@dataclass(frozen=True)
-class Step:
-    """result: without its arrays; fraction, corrected: of the nominal area, the latter less what partly touching cells add"""
-
-    result: Result
-    fraction: float
-    corrected: float
-    mean_gap: float
-    max_pressure: float
-    patches: int
-    largest_patch: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,6 +45,7 @@ class Content:
     """surface: as pressed; missing: points that the file does not have
     assumes_boundary: neither the request nor the file says it
     statistics, spectrum, law: None where the library for them is absent or points are missing
+    steps: their answers, without arrays
     persson: rms slope of Persson's line; None if the surface is not one of his theory, elastic, periodic and nearly Gaussian
     date: of the day on which the surface was pressed, as 2026-11-27
     bearing: (share of the area that is higher, height)
@@ -72,7 +60,7 @@ class Content:
     spectrum: Optional[Spectrum]
     law: Optional[PowerLaw]
     bearing: Tuple[Doubles, Doubles]
-    steps: List[Step]
+    steps: List[Result]
     maps: Maps
     histogram: Optional[Histogram]
     patches: Patches
@@ -91,7 +79,11 @@ class Content:
 
     @property
     def certified(self) -> bool:
-        return all(step.result.status in (Status.OK, Status.WITHIN_GOAL) for step in self.steps)
+        return all(step.status in (Status.OK, Status.WITHIN_GOAL) for step in self.steps)
+
+    def corrected(self, step: Result) -> float:
+        """The share of the area in contact, less what partly touching cells add."""
+        return step.corrected_area / (step.points * self.surface.pitch[0] * self.surface.pitch[1])
 
     def persson_area(self, load: float) -> float:
         """Persson's share of the area in contact, erf(sqrt(2) p/(E* h')), h' the rms slope (J. Chem. Phys. 115 (2001) 3840)."""
@@ -129,30 +121,8 @@ def _judged(surface: Surface, periodic: bool) -> Tuple[Optional[Statistics], Opt
         return statistics, None, None
 
 
-def _closed(result: Result) -> Doubles:
-    """The gap; where the bodies yield, the overlap is closed."""
-    assert result.gap is not None
-    closed: Doubles = np.maximum(result.gap, 0) if result.capped > 0 else result.gap
-    return closed
-
-
-def _step(result: Result, patches: Patches) -> Step:
-    assert result.pressure is not None
-    grid = result.grid
-    cells = result.points * grid.pitch[0] * grid.pitch[1]
-    return Step(
-        result=replace(result, pressure=None, gap=None),
-        fraction=result.contacts / result.points,
-        corrected=result.corrected_area / cells,
-        mean_gap=float(np.nanmean(_closed(result))),
-        max_pressure=float(result.pressure.max()),
-        patches=len(patches),
-        largest_patch=float(patches.area.max(initial=0)),
-    )
-
-
 def _maps(surface: Surface, result: Result) -> Maps:
-    assert result.pressure is not None
+    assert result.pressure is not None and result.gap is not None
     side = side_of_blocks(surface.shape, MOST_CELLS)
     heights = np.where(surface.missing, np.nan, surface.heights)
     return Maps(
@@ -160,7 +130,7 @@ def _maps(surface: Surface, result: Result) -> Maps:
         pitch=(surface.pitch[0] * side, surface.pitch[1] * side),
         heights=means(heights - np.nanmean(heights), side),
         pressure=largest(result.pressure, side),
-        gap=means(_closed(result), side),
+        gap=means(np.maximum(result.gap, 0) if result.capped > 0 else result.gap, side),
         contact=means((result.pressure > 0).astype(float), side),
     )
 
@@ -176,19 +146,15 @@ def collect(request: Request) -> Content:
     system = HalfSpace(
         surface.shape, pitch=surface.pitch, modulus=request.modulus, boundary=boundary, hardness=request.hardness
     )
-    cells = float(np.prod(surface.shape) * surface.pitch[0] * surface.pitch[1])
-    control, scale = ("load", cells) if request.control == "pressure" else (request.control, 1.0)
-    steps: List[Step] = []
+    steps: List[Result] = []
     gap: Optional[Doubles] = surface.undeformed_gap()
     mask = surface.mask
     with Contact(system, options=_options(request)) as contact:
         for target in request.targets:
-            result = contact.solve(
-                undeformed_gap=gap, mask=mask, want_gap=True, check=False, **{control: scale * target}  # type: ignore[arg-type]
-            )
+            press: Any = {request.control: target}
+            result = contact.solve(undeformed_gap=gap, mask=mask, want_gap=True, check=False, **press)
             gap = mask = None  # as in the step before
-            patches = result.find_patches()
-            steps.append(_step(result, patches))
+            steps.append(replace(result, pressure=None, gap=None, measures=result._measured))
     assert result.pressure is not None
     heights = np.sort(surface.heights[~surface.missing])[::-1]
     shares = np.linspace(0, 1, 201)
@@ -206,7 +172,7 @@ def collect(request: Request) -> Content:
         steps=steps,
         maps=_maps(surface, result),
         histogram=result.histogram(BINS) if result.contacts else None,
-        patches=patches,
+        patches=result.find_patches(),
         version=".".join(map(str, version())),
         date=datetime.date.today().isoformat(),
     )

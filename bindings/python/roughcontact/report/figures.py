@@ -37,11 +37,10 @@ class Figures:
     def __init__(self, content: Content) -> None:
         self.graph = importlib.import_module("plotly.graph_objects")
         self.content = content
-        self.loads = np.array([step.result.load for step in content.steps])
+        self.loads = np.array([step.load for step in content.steps])
 
     def all(self) -> List[Figure]:
-        c = self.content
-        found: List[Optional[Figure]] = [self.area(), self.gap(), self.stiffness(), self.approach()] if len(c.steps) > 1 else []
+        found: List[Optional[Figure]] = [*self.curves()] if len(self.loads) > 1 else []
         found += [self.pressure_map(), self.height_map(), self.gap_map(), self.pressures(), self.patches()]
         return [each for each in [*found, self.spectrum(), self.bearing()] if each is not None]
 
@@ -95,7 +94,7 @@ class Figures:
         others = [
             self.graph.Scatter(
                 x=self.loads / factor,
-                y=[100 * step.corrected for step in c.steps],
+                y=[100 * c.corrected(step) for step in c.steps],
                 mode="markers",
                 name="corrected for cells that touch in part",
                 marker=markers,
@@ -117,31 +116,23 @@ class Figures:
                     hovertemplate=hover,
                 )
             )
-        figure = self._curve([100 * step.fraction for step in c.steps], "%", "contact area", True, others)
+        figure = self._curve([100 * step.area_fraction for step in c.steps], "%", "contact area", True, others)
         told = "Share of the nominal area in contact."
         told += " Persson's line is erf(√2 p/(E* h′)) with the rms slope h′ of the map." if c.persson else ""
         return Figure("area", "Contact area against load", told, figure)
 
-    def gap(self) -> Figure:
-        values = [step.mean_gap for step in self.content.steps]
-        return Figure(
-            "gap",
-            "Mean gap against load",
-            "Of the deformed bodies, over all points.",
-            self._curve(values, "m", "mean gap", False),
-        )
-
-    def stiffness(self) -> Optional[Figure]:
-        values = [step.result.stiffness for step in self.content.steps]
-        if not np.isfinite(values).any():
-            return None
-        told = "dW/dd: how much the load grows with the approach."
-        return Figure("stiffness", "Stiffness against load", told, self._curve(values, "N/m", "stiffness", True))
-
-    def approach(self) -> Figure:
-        values = [step.result.approach for step in self.content.steps]
-        told = "Counted from first touch of the highest point."
-        return Figure("approach", "Approach against load", told, self._curve(values, "m", "approach", False))
+    def curves(self) -> List[Figure]:
+        found = [self.area()]
+        for key, name, unit, y_log, told in (
+            ("gap", "mean gap", "m", False, "Of the deformed bodies, over all points."),
+            ("stiffness", "stiffness", "N/m", True, "dW/dd: how much the load grows with the approach."),
+            ("approach", "approach", "m", False, "Counted from first touch of the highest point."),
+        ):
+            values = [getattr(step, name.replace(" ", "_")) for step in self.content.steps]
+            if np.isfinite(values).any():
+                title = f"{name.capitalize()} against load"
+                found.append(Figure(key, title, told, self._curve(values, unit, name, y_log)))
+        return found
 
     def _map(self, values: Doubles, unit: str, name: str, colours: Any, **how: Any) -> Any:
         maps = self.content.maps
@@ -181,7 +172,7 @@ class Figures:
         top = float(np.quantile(shown[shown > 0], 0.995)) if (shown > 0).any() else 1.0
         factor = prefix_for(float(shown.max()))[0]
         figure = self._map(shown, "Pa", "pressure", PRESSURES, zmin=0, zmax=top / factor)
-        told = f"Of the last step, {100 * last.fraction:.3g} % of the points in contact; no contact is dark."
+        told = f"Of the last step, {100 * last.area_fraction:.3g} % of the points in contact; no contact is dark."
         if self.content.maps.side > 1:
             told += (
                 f" Cells with contact cover {100 * (shown > 0).mean():.3g} % of the map, because one point makes a cell bright."

@@ -3,7 +3,6 @@
 import argparse
 import difflib
 import shlex
-from dataclasses import dataclass
 from typing import Any, List, NoReturn, Optional, Sequence, Tuple
 
 from .._errors import ArgumentError
@@ -14,8 +13,7 @@ from .quantities import quantities, quantity, targets
 CURVE_POINTS, CURVE_SPAN = 10, 100.0  # of the history up to a single target, and how far below that it begins
 
 
-@dataclass(frozen=True)
-class Request:
+class Request(argparse.Namespace):
     """control, targets: "approach", "load" or "pressure", and its values; curve: whether only the last target was asked
     for, and the others lead up to it; pitch: in `unit`; modulus: E*; material: what it was made of, in words"""
 
@@ -44,6 +42,19 @@ class Parser(argparse.ArgumentParser):
         raise ArgumentError(message)
 
 
+def _number(text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number") from None
+
+
+def _threads(text: str) -> int:
+    if not text.isdecimal() or int(text) < 1:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number above 0")
+    return int(text)
+
+
 def parser() -> Parser:
     made = Parser(
         prog="python -m roughcontact report",
@@ -64,32 +75,19 @@ def parser() -> Parser:
     made.add_argument("--boundary", choices=["free", "periodic"], help="as the file says, else periodic: the map is a sample of a larger surface")
     made.add_argument("--modulus", metavar="E*", help="contact modulus, or")
     made.add_argument("--E", metavar="E", help="Young's modulus, with")
-    made.add_argument("--nu", metavar="NU", help="Poisson's ratio")
+    made.add_argument("--nu", type=_number, metavar="NU", help="Poisson's ratio")
     made.add_argument("--E2", metavar="E", help="Young's modulus of the other body; rigid without")
-    made.add_argument("--nu2", metavar="NU", help="Poisson's ratio of the other body")
+    made.add_argument("--nu2", type=_number, metavar="NU", help="Poisson's ratio of the other body")
     made.add_argument("--hardness", metavar="H", help="largest pressure; above it the surface yields")
     made.add_argument("--load", metavar="TARGETS", help="normal force: one, a list a,b,c or a range a:b:n, or a:b:nlog with equal ratios; or")
     made.add_argument("--pressure", metavar="TARGETS", help="mean pressure; or")
     made.add_argument("--approach", metavar="TARGETS", help="approach from first touch")
-    made.add_argument("--tol", metavar="TOL", help="convergence tolerance, relative (default 1e-8)")
+    made.add_argument("--tol", type=_number, metavar="TOL", help="convergence tolerance, relative (default 1e-8)")
     made.add_argument(
-        "--accuracy", metavar="GOAL", help="accepted relative error of the load: a coarser grid is used if its estimated error is below this"
+        "--accuracy", type=_number, metavar="GOAL", help="accepted relative error of the load: a coarser grid is used if its estimated error is below this"
     )
-    made.add_argument("--threads", metavar="N", help="number of threads (default: all cores)")
+    made.add_argument("--threads", type=_threads, metavar="N", help="number of threads (default: all cores)")
     return made
-
-
-def _number(option: str, text: str) -> float:
-    try:
-        return float(text)
-    except ValueError:
-        raise ArgumentError(f"{option}: {text!r} is not a number") from None
-
-
-def _threads(text: str) -> int:
-    if not text.isdecimal() or int(text) < 1:
-        raise ArgumentError(f"--threads: {text!r} is not a whole number above 0")
-    return int(text)
 
 
 def _elasticity(given: Any) -> Tuple[float, str]:
@@ -107,7 +105,7 @@ def _elasticity(given: Any) -> Tuple[float, str]:
             raise ArgumentError(f"--E{which} and --nu{which} go together")
         if E is not None:
             young.append(quantity("--E" + which, E, "pressure"))
-            poisson.append(_number("--nu" + which, nu))
+            poisson.append(nu)
     modulus = modulus_of(None, young, poisson)
     assert modulus is not None
     told = " and ".join(f"E = {E}, \u03bd = {nu}" for E, nu in bodies if E is not None)
@@ -146,36 +144,20 @@ def _check_words(arguments: Sequence[str], known: Sequence[str], unknown: Sequen
 def read_request(arguments: Sequence[str]) -> Request:
     """Raises an ArgumentError at the first argument that is wrong; exits if help is asked for."""
     made = parser()
-    given, unknown = made.parse_known_args(arguments)
+    asked, unknown = made.parse_known_args(arguments, Request())
     known = [name for action in made._actions for name in action.option_strings if name.startswith("--") and name != "--help"]
     _check_words(arguments, known, unknown)
-    unit = METRES[given.unit or "m"]
-    modulus, material = _elasticity(given)
-    control, steps, curve = _loading(given, unit)
-    pitch = None
-    if given.pitch is not None:
-        sides = [quantity("--pitch", text, "length", unit) / unit for text in given.pitch.split(",")]
-        quantities("--pitch", given.pitch.split(","), "length", unit)
+    unit = METRES[asked.unit or "m"]
+    asked.modulus, asked.material = _elasticity(asked)
+    asked.control, asked.targets, asked.curve = _loading(asked, unit)
+    if asked.pitch is not None:
+        given: Any = asked.pitch
+        sides = [quantity("--pitch", text, "length", unit) / unit for text in given.split(",")]
+        quantities("--pitch", given.split(","), "length", unit)
         if len(sides) > 2:
-            raise ArgumentError(f"--pitch: {given.pitch!r} is neither H nor HX,HY")
-        pitch = (sides[0], sides[-1])
-    return Request(
-        file=given.file,
-        out=given.out,
-        format=given.format,
-        pitch=pitch,
-        unit=given.unit,
-        missing=given.missing,
-        remove=given.remove,
-        boundary=given.boundary,
-        modulus=modulus,
-        material=material,
-        hardness=None if given.hardness is None else quantity("--hardness", given.hardness, "pressure"),
-        control=control,
-        targets=steps,
-        curve=curve,
-        tol=None if given.tol is None else _number("--tol", given.tol),
-        accuracy=None if given.accuracy is None else _number("--accuracy", given.accuracy),
-        threads=None if given.threads is None else _threads(given.threads),
-        command=shlex.join(["python3", "-m", "roughcontact", "report", *arguments]),
-    )
+            raise ArgumentError(f"--pitch: {given!r} is neither H nor HX,HY")
+        asked.pitch = (sides[0], sides[-1])
+    if asked.hardness is not None:
+        asked.hardness = quantity("--hardness", str(asked.hardness), "pressure")
+    asked.command = shlex.join(["python3", "-m", "roughcontact", "report", *arguments])
+    return asked

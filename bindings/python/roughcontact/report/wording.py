@@ -5,36 +5,33 @@ from typing import List, Sequence, Tuple
 import numpy as np
 
 from .._status import Status
+from ..result import Result
 from ..surface import PowerLaw
-from .content import Content, Step
+from .content import Content
 from .quantities import with_prefix
 
 Rows = Sequence[Tuple[str, str]]
 HARDEST_STEEL, SMALL_STRAIN = 10e9, 0.2  # [Pa], largest pressure over E*; as the command has them
 
 
-def status(step: Step) -> str:
-    if step.result.status == Status.WITHIN_GOAL:
+def status(step: Result) -> str:
+    if step.status == Status.WITHIN_GOAL:
         return "within accuracy"
-    return "certified" if step.result.certified else step.result.status.name
-
-
-def good(step: Step) -> bool:
-    return step.result.status in (Status.OK, Status.WITHIN_GOAL)
+    return "certified" if step.certified else step.status.name
 
 
 def conclusion(content: Content) -> str:
     """What the last step has shown."""
     last = content.steps[-1]
-    if not last.result.contacts:
-        return f"Load {with_prefix(last.result.load, 'N')}, no contact."
-    line = "" if good(last) else f"Not certified ({status(last)}): "
-    line += f"Contact area {100 * last.fraction:.3g} % at {with_prefix(last.result.load, 'N')}; "
+    if not last.contacts:
+        return f"Load {with_prefix(last.load, 'N')}, no contact."
+    line = "" if last.status in (Status.OK, Status.WITHIN_GOAL) else f"Not certified ({status(last)}): "
+    line += f"Contact area {100 * last.area_fraction:.3g} % at {with_prefix(last.load, 'N')}; "
     hardness = content.request.hardness
-    if hardness and last.result.capped:
-        share = 100 * last.result.capped / last.result.contacts
+    if hardness and last.capped:
+        share = 100 * last.capped / last.contacts
         cell = content.surface.pitch[0] * content.surface.pitch[1]
-        carried = 100 * last.result.capped * hardness * cell / last.result.load
+        carried = 100 * last.capped * hardness * cell / last.load
         return (
             line
             + f"{share:.3g} % of the contact is at the hardness of {with_prefix(hardness, 'Pa')} and carries {carried:.3g} % of the load."
@@ -52,7 +49,7 @@ def conclusion(content: Content) -> str:
 
 def facts(content: Content) -> List[str]:
     """What was pressed and how, when and by what: for the line below the title."""
-    loads = [step.result.load for step in content.steps]
+    loads = [step.load for step in content.steps]
     least, most = with_prefix(min(loads), "N"), with_prefix(max(loads), "N")
     return [
         f"E* {with_prefix(content.request.modulus, 'Pa')}",
@@ -69,14 +66,14 @@ def step_rows(content: Content) -> List[Tuple[str, ...]]:
     return [
         (
             str(k),
-            with_prefix(step.result.load, "N", 4),
-            with_prefix(step.result.mean_pressure, "Pa", 4),
-            with_prefix(step.result.approach, "m", 4),
-            f"{100 * step.fraction:.4g} %",
-            f"{100 * step.corrected:.4g} %",
+            with_prefix(step.load, "N", 4),
+            with_prefix(step.mean_pressure, "Pa", 4),
+            with_prefix(step.approach, "m", 4),
+            f"{100 * step.area_fraction:.4g} %",
+            f"{100 * content.corrected(step):.4g} %",
             with_prefix(step.mean_gap, "m", 4),
             with_prefix(step.max_pressure, "Pa", 4),
-            with_prefix(step.result.stiffness, "N/m", 4),
+            with_prefix(step.stiffness, "N/m", 4),
             str(step.patches),
             status(step),
         )
@@ -109,10 +106,10 @@ PROOF_HEAD = (
 )
 
 
-def _errors(step: Step) -> str:
+def _errors(step: Result) -> str:
     """Of a coarser grid that was solved for the goal of --accuracy."""
-    accuracy = step.result.accuracy
-    if step.result.status != Status.WITHIN_GOAL or accuracy is None:
+    accuracy = step.accuracy
+    if step.status != Status.WITHIN_GOAL or accuracy is None:
         return "this grid was solved"
     return f"{100 * accuracy.error_estimate:.2g} %, {100 * accuracy.area_estimate:.2g} % ({accuracy.model_nx} × {accuracy.model_ny} points solved)"
 
@@ -129,9 +126,8 @@ def _interval(least: float, most: float, unit: str) -> str:
 
 def proof_rows(content: Content) -> List[Tuple[str, ...]]:
     rows: List[Tuple[str, ...]] = []
-    for k, step in enumerate(content.steps, 1):
-        r = step.result
-        cells = content.nominal_area
+    cells = content.nominal_area
+    for k, r in enumerate(content.steps, 1):
         rows.append(
             (
                 str(k),
@@ -140,7 +136,7 @@ def proof_rows(content: Content) -> List[Tuple[str, ...]]:
                 _interval(r.load_lower, r.load_upper, "N"),
                 _interval(100 * r.area_lower / cells, 100 * r.area_upper / cells, "%"),
                 f"{r.proven_contacts}, {r.proven_open}, {r.undecided}" if r.proven_contacts >= 0 else "not known",
-                _errors(step),
+                _errors(r),
                 f"{r.solver} on {r.backend}, {r.iterations} iterations",
             )
         )
@@ -218,9 +214,9 @@ def doubts(content: Content) -> List[str]:
     """What the library remarks and what is not certified, each once."""
     found: List[str] = []
     for k, step in enumerate(content.steps, 1):
-        if step.result.message:
-            found.append(f"Step {k}: {step.result.message}")
-        note = step.result.note.replace("level them", "level them with --remove plane")
+        if step.message:
+            found.append(f"Step {k}: {step.message}")
+        note = step.note.replace("level them", "level them with --remove plane")
         if note and note not in found:
             found.append(note)
     law, last = content.law, content.steps[-1]
@@ -229,8 +225,8 @@ def doubts(content: Content) -> List[str]:
             f"The spectrum falls with a Hurst exponent of {law.hurst:.2f}, beyond 0 to 1: the surface is not self-affine, and "
             "theories of self-affine roughness are not of it."
         )
-    if last.fraction > 0 and last.corrected < 0.9 * last.fraction:
-        share = 100 * (1 - last.corrected / last.fraction)
+    if content.corrected(last) < 0.9 * last.area_fraction:
+        share = 100 * (1 - content.corrected(last) / last.area_fraction)
         found.append(
             f"About {share:.0f} % of the counted contact area are cells that touch in part: a finer grid would show less area."
         )
@@ -238,8 +234,8 @@ def doubts(content: Content) -> List[str]:
 
 
 def certificate(content: Content) -> str:
-    certified = sum(step.result.certified for step in content.steps)
-    within = sum(step.result.status == Status.WITHIN_GOAL for step in content.steps)
+    certified = sum(step.certified for step in content.steps)
+    within = sum(step.status == Status.WITHIN_GOAL for step in content.steps)
     told = (
         f"{certified} of {len(content.steps)} steps are certified: a fresh product with the influence matrix has shown that every "
         "residual of the conditions of contact (no tension, no overlap, pressure only where the gap is closed, the load) is within "

@@ -5,11 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "contact/grid_contact.h"
 #include "contact/grids/goal/grid_error.h"
-#include "contact/proof/bounds.h"
-#include "contact/proof/result.h"
-#include "contact/step/target.h"
 #include "core/certificate_terms.h"
 #include "core/error.h"
 #include "core/limits.h"
@@ -32,10 +28,10 @@ double relative(double difference, double value) {
 }
 
 // Relative difference of load to the next coarser grid; in load control from the difference of approach and the stiffness.
-double difference(const rc_result& fine, const rc_result& coarse, std::int32_t control) {
-  if (control == RC_CONTROL_APPROACH) return relative(fine.load - coarse.load, fine.load);
-  const double difference = coarse.stiffness * (fine.approach - coarse.approach);
-  return std::isfinite(difference) ? relative(difference, fine.load) : std::numeric_limits<double>::infinity();
+double difference(const Numbers& fine, double load, const Numbers& coarse, double coarse_load, bool by_load) {
+  if (!by_load) return relative(load - coarse_load, load);
+  const double difference = coarse.stiffness.value * (fine.approach - coarse.approach);
+  return std::isfinite(difference) ? relative(difference, load) : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
@@ -45,62 +41,65 @@ AccuracyGoal::~AccuracyGoal() = default;
 
 void AccuracyGoal::forget() {
   for (const Grid& grid : grids_) {
-    grid.halved.contact().forget_steps();
-    grid.halved.contact().forget_operators();
+    grid.contact->forget_steps();
+    grid.contact->forget_operators();
   }
   surface_ = -1;
 }
 
-Blocks AccuracyGoal::blocks_of(const Workspace& given, std::size_t k) {
+Blocks AccuracyGoal::blocks_of(const GridProblem& given, std::size_t k) {
   return {given.system.given.nx, given.system.given.ny, std::int64_t{1} << k};
 }
 
 // Puts the given surface on every coarser grid.
 void AccuracyGoal::halve(GridContact& given) {
-  const Workspace* finer = &given.work();
+  const GridProblem* finer = &given.problem();
   for (std::size_t k = 0; can_be_halved(finer->system.given) && k < most_grids; ++k) {
-    if (grids_.size() == k)
-      grids_.push_back({HalvedGrid(*finer, given.work().options), {}, {}});
-    else
-      grids_[k].halved.renew(*finer);
-    finer = &grids_[k].halved.contact().work();
+    CoarseGrid next = halved(*finer, 1);
+    if (grids_.size() == k) {
+      const rc_system system = halved_system(finer->system.given, 1);
+      grids_.push_back({{}, std::make_unique<GridContact>(system, given.problem().options, &finer->team(), finer->company())});
+    }
+    grids_[k].contact->adopt(borrowed(next, finer->team()));
+    grids_[k].surface = std::move(next);
+    finer = &grids_[k].contact->problem();
   }
   surface_ = given.surfaces();
 }
 
-rc_status AccuracyGoal::solve_on(std::size_t k, const Workspace& given, const rc_step& step, const Monitor& monitor,
+rc_status AccuracyGoal::solve_on(std::size_t k, const GridProblem& given, const Step& step, const Monitor& monitor,
                                  std::optional<Estimate> estimate, bool with_gap) {
   Grid& grid = grids_[k - 1];
-  GridContact& contact = grid.halved.contact();
+  GridContact& contact = *grid.contact;
   rc_options options = coarse_options(given.options, monitor);
   // difference() and look() need the stiffness.
-  if (step.control == RC_CONTROL_LOAD) options.set(RC_OPT_STIFFNESS, std::int64_t{1});
-  contact.set_options(options);
+  if (step.target.by_load()) options.set(RC_OPT_STIFFNESS, std::int64_t{1});
+  contact.problem().set_options(options);
   contact.watched_by(monitor, true);
   rc_step on_grid = RC_STEP_INIT;
-  on_grid.control = step.control;
-  on_grid.target = step.target;
-  on_grid.warm_start = step.warm_start;
-  grid.result = {};
-  grid.gap.resize(with_gap ? static_cast<std::size_t>(contact.work().system.points()) : 0);
-  grid.result.gap = with_gap ? grid.gap.data() : nullptr;
-  contact.begin(on_grid);
-  if (nothing_touches(on_grid, contact.work())) return RC_UNCERTIFIED;
+  on_grid.control = step.target.control;
+  on_grid.target = step.target.value;
+  on_grid.warm_start = step.warm;
+  grid.numbers = {};
+  grid.gap.resize(with_gap ? static_cast<std::size_t>(contact.problem().system.points()) : 0);
+  const Step begun = contact.begin(on_grid);
+  if (!begun.target.touches(contact.problem().surface)) return RC_UNCERTIFIED;
   Monitor watch = contact.monitor();
-  return contact.solve_begun(on_grid, watch, grid.result, std::move(estimate));
+  grid.numbers = contact.solve_begun(begun, watch, {{}, {with_gap ? grid.gap.data() : nullptr}}, estimate);
+  return grid.numbers.status;
 }
 
-AccuracyGoal::Found AccuracyGoal::from_coarse_to_fine(GridContact& given, const rc_step& step, const Monitor& monitor,
+AccuracyGoal::Found AccuracyGoal::from_coarse_to_fine(GridContact& given, const Step& step, const Monitor& monitor,
                                                       bool with_gap) {
-  for (Grid& grid : grids_) grid.result = {};
-  const double goal = given.work().goal.error, lowest = given.work().surface.lowest();
+  for (Grid& grid : grids_) grid.numbers = {};
+  const double goal = given.problem().goal.error, lowest = given.problem().surface.lowest();
   try {
     if (surface_ != given.surfaces()) halve(given);
   } catch (const Error&) {
     return {};  // a coarser grid's gaps or cells are beyond double precision
   }
-  const auto work = [&](std::size_t k) -> const Workspace& {
-    return k > 0 ? grids_[k - 1].halved.contact().work() : given.work();
+  const auto work = [&](std::size_t k) -> const GridProblem& {
+    return k > 0 ? grids_[k - 1].contact->problem() : given.problem();
   };
   Found found;
   std::vector<GridLevel> levels;  // up to the coarsest grid with contact
@@ -108,7 +107,7 @@ AccuracyGoal::Found AccuracyGoal::from_coarse_to_fine(GridContact& given, const 
     Grid& grid = grids_[k - 1];
     rc_status status = RC_UNCERTIFIED;
     try {
-      status = solve_on(k, given.work(), step, monitor, std::exchange(found.estimate, {}), with_gap);
+      status = solve_on(k, given.problem(), step, monitor, std::exchange(found.estimate, {}), with_gap);
     } catch (const Error&) {
       // The whole grid may succeed where a coarser one failed.
     }
@@ -117,17 +116,19 @@ AccuracyGoal::Found AccuracyGoal::from_coarse_to_fine(GridContact& given, const 
       const rc_status stop = asked != RC_OK ? asked : status;
       return {levels.empty() ? 0 : k + 1, stop, {}};
     }
-    if (status != RC_OK || grid.result.contacts == 0) {
+    if (status != RC_OK || grid.numbers.totals.contacts == 0) {
       levels.clear();
       continue;
     }
     const bool coarsest = levels.empty();
     if (coarsest) levels.resize(k + 1);
-    if (!coarsest) levels[k].difference = difference(grid.result, grids_[k].result, step.control);
-    const double approach = grid.result.approach;
+    const auto load_on = [&](const Grid& of) { return of.numbers.load(of.contact->problem().system); };
+    if (!coarsest)
+      levels[k].difference =
+          difference(grid.numbers, load_on(grid), grids_[k].numbers, load_on(grids_[k]), step.target.by_load());
+    const double approach = grid.numbers.approach;
     const auto spread_to = [&](std::size_t finer, const Blocks& blocks) {
-      return Estimate{spread(grid.halved.contact().memory().last.pressures, blocks, work(finer).surface, Cut::same_pressure),
-                      approach};
+      return Estimate{spread(grid.contact->memory().last.pressures, blocks, work(finer).surface, Cut::same_pressure), approach};
     };
     found.estimate = spread_to(k - 1, blocks_of(work(k - 1), 1));
     if (k + 2 >= levels.size()) continue;
@@ -135,82 +136,74 @@ AccuracyGoal::Found AccuracyGoal::from_coarse_to_fine(GridContact& given, const 
       for (std::size_t j = 0; j < levels.size(); ++j)
         levels[j].texture = texture_below(approach, approach - lowest, work(j).surface, work(j).system.given);
     const GridErrors errors = guessed_errors(levels, k);
-    if (errors.here <= goal) return {k, RC_WITHIN_GOAL, spread_to(0, blocks_of(given.work(), k))};
+    if (errors.here <= goal) return {k, RC_WITHIN_GOAL, spread_to(0, blocks_of(given.problem(), k))};
     if (k > 1 && !(errors.finest <= goal)) return {};  // no coarser grid will do; the whole grid makes its own start
   }
   return found;
 }
 
-void AccuracyGoal::add_work(rc_result& result) const {
+void AccuracyGoal::add_work(const Monitor& monitor, Work& work) const {
   for (const Grid& grid : grids_) {
-    result.iterations += grid.result.iterations;
-    result.products += grid.result.products;
-    result.setup_seconds += grid.result.setup_seconds;
+    work.iterations += grid.numbers.work.iterations;
+    work.products += grid.numbers.work.products;
+    work.setup_seconds += grid.numbers.work.setup_seconds;
   }
+  work.seconds = std::max(0.0, monitor.seconds() - work.setup_seconds);
 }
 
-// Writes the answer of the last coarser grid that was solved, spread to the given grid.
-void AccuracyGoal::deliver_stopped(Workspace& given, const rc_step& step, const Found& found, const Monitor& monitor,
-                                   rc_result& result) {
+// The answer of the last coarser grid that was solved, spread to the given grid.
+Numbers AccuracyGoal::stopped(const GridProblem& given, const Step& step, const Found& found, const Monitor& monitor,
+                              const Outputs& outputs) {
   const Grid& grid = grids_[found.grid - 1];
-  const GridContact& contact = grid.halved.contact();
-  const rc_system &fine = given.system.given, &coarse = contact.work().system.given;
+  const GridContact& contact = *grid.contact;
+  const rc_system &fine = given.system.given, &coarse = contact.problem().system.given;
   const Blocks blocks = blocks_of(given, found.grid);
   const Pressures p = spread(contact.memory().last.pressures, blocks, given.surface, Cut::same_force);
-  const OutputArray to_p = pressures_of(result), to_gap = gap_of(result);
-  const std::size_t size = result.struct_size;
-  result = grid.result;
-  result.struct_size = size;
-  result.p = to_p.in_double;
-  result.p_single = to_p.in_single;
-  result.gap = to_gap.in_double;
-  result.gap_single = to_gap.in_single;
-  if (given.options.integer(RC_OPT_STIFFNESS) == 0) result.stiffness = result.punch_stiffness = nan;
-  result.stiffness_lower = result.stiffness_upper = nan;
-  Bounds{}.write(result);
-  result.points = given.system.points();
-  result.contacts = p.on.n;
-  double sum = 0;
-  for (const double value : p.p) sum += value;
-  result.load = sum * given.system.cell_area();
-  result.mean_pressure = sum / static_cast<double>(given.system.points());
-  result.contact_area = static_cast<double>(p.on.n) * given.system.cell_area();
-  result.area_fraction = static_cast<double>(p.on.n) / static_cast<double>(given.system.points());
-  result.max_pressure = p.p.empty() ? 0 : *std::ranges::max_element(p.p);
-  if (step.control == RC_CONTROL_LOAD) result.kkt_control = load_imbalance(result.load, step.target);
-  result.levels = 0;
-  result.iterations = result.products = 0;
-  result.setup_seconds = 0;
-  add_work(result);
-  result.seconds = std::max(0.0, monitor.seconds() - result.setup_seconds);
-  given.record.accuracy = {
-      sizeof(rc_accuracy), coarse.nx, coarse.ny, nan, nan, left_out(p, blocks, given.surface, contact.work().surface.gap())};
-  result.status = found.status;
+  Numbers numbers = grid.numbers;
+  if (given.options.integer(RC_OPT_STIFFNESS) == 0) numbers.stiffness.value = numbers.punch_stiffness = nan;
+  numbers.stiffness.lower = numbers.stiffness.upper = nan;
+  numbers.bounds = {};
+  Totals& totals = numbers.totals;
+  // The energy and the plastic volume of the coarser grid, in the cells of this one.
+  const double cells = contact.problem().system.cell_area() / given.system.cell_area();
+  totals.energy *= cells;
+  totals.overlap *= cells;
+  totals.contacts = p.on.n;
+  totals.sum = 0;
+  for (const double value : p.p) totals.sum += value;
+  totals.max_pressure = p.p.empty() ? 0 : *std::ranges::max_element(p.p);
+  if (step.target.by_load()) numbers.certificate.control = load_imbalance(numbers.load(given.system), step.target.value);
+  numbers.work = {};
+  add_work(monitor, numbers.work);
+  numbers.accuracy = {
+      sizeof(rc_accuracy), coarse.nx, coarse.ny, nan, nan, left_out(p, blocks, given.surface, contact.problem().surface.gap())};
+  numbers.status = found.status;
   set_message(join(rc_status_text(found.status), ": the answer is that of ", coarse.nx, "x", coarse.ny, " of ", fine.nx, "x",
                    fine.ny, " points")
                   .c_str());
-  p.write(to_p, given.system.points(), given.team());
-  for (std::int64_t i = 0; i < given.system.points() && to_gap.wanted(); ++i)
-    to_gap.put(static_cast<std::size_t>(i), grid.gap[static_cast<std::size_t>(blocks.of(i))]);
+  p.write(outputs.p, given.system.points(), given.team());
+  for (std::int64_t i = 0; i < given.system.points() && outputs.gap.wanted(); ++i)
+    outputs.gap.put(static_cast<std::size_t>(i), grid.gap[static_cast<std::size_t>(blocks.of(i))]);
+  return numbers;
 }
 
-bool AccuracyGoal::solve(GridContact& given, const rc_step& step, Monitor& monitor, rc_result& result,
-                         std::optional<Estimate>& estimate) {
-  Found found = from_coarse_to_fine(given, step, monitor, gap_of(result).wanted());
-  if (found.status == RC_WITHIN_GOAL && look(given, step, found, monitor, result)) return true;
-  if (found.status != RC_OK && found.grid > 0) {
-    deliver_stopped(given.work(), step, found, monitor, result);
-    return true;
-  }
+std::optional<Numbers> AccuracyGoal::solve(GridContact& given, const Step& step, Monitor& monitor, const Outputs& outputs,
+                                           std::optional<Estimate>& estimate) {
+  Found found = from_coarse_to_fine(given, step, monitor, outputs.gap.wanted());
+  if (found.status == RC_WITHIN_GOAL)
+    if (std::optional<Numbers> within = look(given, step, found, monitor, outputs)) return within;
+  if (found.status != RC_OK && found.grid > 0) return stopped(given.problem(), step, found, monitor, outputs);
   if (found.status != RC_OK) {
-    Answer stopped;
-    stopped.status = found.status;
-    Finished finished = certified_result(given.work(), step, std::move(stopped), monitor, result);
-    if (finished.status == RC_OK) given.remember(std::move(finished), result);
-    return true;
+    Answer none;
+    none.status = found.status;
+    Attempt attempt{monitor};
+    Finished finished = certified_result(given.problem(), step, std::move(none), attempt, outputs);
+    Numbers numbers = finished.numbers;
+    if (numbers.status == RC_OK) given.remember(std::move(finished), {});
+    return numbers;
   }
   if (!step.p0) estimate = std::move(found.estimate);
-  return false;
+  return std::nullopt;
 }
 
 }  // namespace rc

@@ -5,11 +5,9 @@
 #include <limits>
 #include <utility>
 
-#include "contact/grid_contact.h"
 #include "contact/grids/goal/accuracy_goal.h"
-#include "contact/proof/result.h"
-#include "contact/sparse/sparse_contact.h"
-#include "contact/step/approach.h"
+#include "contact/step/by_approach.h"
+#include "contact/step/sparse_contact.h"
 #include "core/error.h"
 
 namespace rc {
@@ -55,105 +53,97 @@ Remaining remaining_of(const Deflected& found, const StepSurface& surface, doubl
 
 }  // namespace
 
-// True if the corrected answer is within the goal: it is then the result. If not, the whole grid starts from it.
-bool AccuracyGoal::look(GridContact& given, const rc_step& step, Found& found, Monitor& monitor, rc_result& result) {
-  const bool by_load = step.control == RC_CONTROL_LOAD;
-  Workspace& work = given.work();
-  const StepSurface& surface = work.surface;
-  const System& system = work.system;
+// The corrected answer if it is within the goal. If not, the whole grid starts from it.
+std::optional<Numbers> AccuracyGoal::look(GridContact& given, const Step& step, Found& found, Monitor& monitor,
+                                          const Outputs& outputs) {
+  const bool by_load = step.target.by_load();
+  const GridProblem& problem = given.problem();
+  const StepSurface& surface = problem.surface;
+  const System& system = problem.system;
   const Grid& grid = grids_[found.grid - 1];
-  const Workspace& coarse = grid.halved.contact().work();
+  const GridProblem& coarse = grid.contact->problem();
   // Prescribes the coarser grid's approach in load control, too: the error of the load that belongs to it is what counts.
-  rc_step at = RC_STEP_INIT;
-  at.control = RC_CONTROL_APPROACH;
-  at.target = found.estimate->approach;
-  at.warm_start = 0;
+  const Step at{{RC_CONTROL_APPROACH, found.estimate->approach}, nullptr, false, look_steps};
   found.status = RC_OK;
-  if (system.periodic() && surface.whole() && at.target >= surface.mean()) return false;  // no load belongs to it
+  if (system.periodic() && surface.whole() && at.target.value >= surface.mean()) return std::nullopt;  // no load belongs to it
   Answer answer;
   Deflected corrected;
   std::vector<double> kept;
   bool screened = false;
   rc_status ended = RC_OK;
+  Attempt attempt{monitor};
+  attempt.warm = step.warm;
   try {
-    const struct Looking {
-      std::int64_t& steps;
-      explicit Looking(std::int64_t& look) : steps(look) { steps = look_steps; }
-      ~Looking() { steps = 0; }
-    } looking(work.record.look);
-    std::optional<Answer> sparse = sparse_contact(work, given.memory(), at, monitor, found.estimate);
-    answer = sparse ? std::move(*sparse) : at_approach(work, given.memory(), at, monitor, found.estimate);
+    std::optional<Answer> sparse = sparse_contact(problem, given.memory(), at, attempt, found.estimate);
+    answer = sparse ? std::move(*sparse) : at_approach(problem, given.memory(), at, attempt, found.estimate);
     if (std::any_of(answer.p.begin(), answer.p.end(), [](double p) { return p < 0; })) answer.checked.reset();
     for (double& p : answer.p) p = std::max(0.0, p);
     screened = answer.checked.has_value();
     ended = std::exchange(answer.status, RC_OK);
     kept = answer.p;
-    corrected = deflected(work, answer, gap_of(result).wanted());
+    corrected = deflected(problem, answer, outputs.gap.wanted());
   } catch (const Error&) {
-    return false;  // another solver may do better
+    return std::nullopt;  // another solver may do better
   }
   if (const rc_status stop = monitor.ask(); stop != RC_OK || ended == RC_STOP_CANCELLED) {
     found.status = stop != RC_OK ? stop : ended;
-    return false;
+    return std::nullopt;
   }
   double depth = answer.compression;
   const Remaining rest = remaining_of(corrected, surface, depth, system);
-  if (!(rest.load > 0)) return false;
+  if (!(rest.load > 0)) return std::nullopt;
 
   // In load control the load at that approach is off by `change`, and the area is taken to be off by as much.
-  const Blocks blocks = blocks_of(work, found.grid);
-  const double change = std::abs(rest.load - grid.result.load) / rest.load;
+  const Blocks blocks = blocks_of(problem, found.grid);
+  const double coarse_load = grid.numbers.load(coarse.system);
+  const double change = std::abs(rest.load - coarse_load) / rest.load;
   const double of_load = left_of_change * change + rest.gap;
   const double counted = (2 * rest.changes + static_cast<double>(blocks.factor * blocks.factor)) / rest.contacts;
   const double of_area = counted + rest.gap + (by_load ? change : 0);
-  const double error = work.goal.of_area ? of_area : of_load;
+  const double error = problem.goal.of_area ? of_area : of_load;
 
   if (by_load) {
-    const double factor = step.target / rest.load;
+    const double factor = step.target.value / rest.load;
     for (double& p : kept) p *= factor;
     for (double& p : corrected.pressures.p) p *= factor;
     for (double& deflection : corrected.product) deflection *= factor;
     // The load is not proportional to the deflection if a stiffer part is just reached. An infinite stiffness is that of full
     // contact, in which no approach belongs to a load.
-    const double rate = grid.result.stiffness;
-    depth = std::isinf(rate) ? fitting_compression(work, corrected) : depth + (step.target - rest.load) / rate;
+    const double rate = grid.numbers.stiffness.value;
+    depth = std::isinf(rate) ? fitting_compression(problem, corrected) : depth + (step.target.value - rest.load) / rate;
     // A larger approach reaches points that are not listed.
     const bool all = static_cast<std::int64_t>(corrected.size()) == system.points();
     if (!all && depth > answer.compression + (screened ? corrected.beyond : 0)) {
       answer.p = std::move(kept);
-      corrected = deflected(work, answer, true);
+      corrected = deflected(problem, answer, true);
     }
   }
-  if (!(error <= work.goal.error) || std::isnan(depth)) {
+  if (!(error <= problem.goal.error) || std::isnan(depth)) {
     if (std::isnan(depth)) depth = answer.compression;
-    found.estimate = Estimate{corrected.pressures.positive(work.team()), surface.lowest() + depth};
-    return false;
+    found.estimate = Estimate{corrected.pressures.positive(problem.team()), surface.lowest() + depth};
+    return std::nullopt;
   }
-  name_components(work, answer, result);
-  const bool wanted = work.options.integer(RC_OPT_STIFFNESS) != 0;
-  certify_and_fill(work, step, corrected, depth, wanted ? grid.result.stiffness : std::numeric_limits<double>::quiet_NaN(),
-                   result);
-  std::copy(std::begin(grid.result.solver), std::end(grid.result.solver), result.solver);
-  std::copy(std::begin(grid.result.backend), std::end(grid.result.backend), result.backend);
-  result.status = RC_WITHIN_GOAL;
-  result.modelled = answer.op->modelled();
-  count_work(work, monitor, result);
-  result.levels = 0;
-  add_work(result);
-  result.seconds = std::max(0.0, monitor.seconds() - result.setup_seconds);
-  work.record.accuracy = {sizeof(rc_accuracy),
-                          coarse.system.given.nx,
-                          coarse.system.given.ny,
-                          error,
-                          of_area,
-                          left_out(corrected.pressures, blocks, surface, coarse.surface.gap())};
-  set_message(join(rc_status_text(RC_WITHIN_GOAL), ": accuracy ", work.goal.error, ", estimated error of the ",
-                   work.goal.of_area ? "area " : "load ", error, " from ", coarse.system.given.nx, "x", coarse.system.given.ny,
+  const bool wanted = problem.options.integer(RC_OPT_STIFFNESS) != 0;
+  const double rate = wanted ? grid.numbers.stiffness.value : std::numeric_limits<double>::quiet_NaN();
+  Numbers numbers = certified_numbers(problem, step, answer, corrected, depth, rate, attempt);
+  copy_text(numbers.solver, grid.numbers.solver);
+  copy_text(numbers.backend, grid.numbers.backend);
+  numbers.status = RC_WITHIN_GOAL;
+  numbers.work = work_of(problem, monitor);
+  add_work(monitor, numbers.work);
+  numbers.accuracy = {sizeof(rc_accuracy),
+                      coarse.system.given.nx,
+                      coarse.system.given.ny,
+                      error,
+                      of_area,
+                      left_out(corrected.pressures, blocks, surface, coarse.surface.gap())};
+  set_message(join(rc_status_text(RC_WITHIN_GOAL), ": accuracy ", problem.goal.error, ", estimated error of the ",
+                   problem.goal.of_area ? "area " : "load ", error, " from ", coarse.system.given.nx, "x", coarse.system.given.ny,
                    " of ", system.given.nx, "x", system.given.ny, " points")
                   .c_str());
-  write_arrays(work, corrected, depth, result);
-  given.remember({result.status, std::move(corrected.pressures)}, result);
-  return true;
+  write_arrays(problem, corrected, depth, outputs);
+  given.remember({numbers, std::move(corrected.pressures)}, attempt.choice);
+  return numbers;
 }
 
 }  // namespace rc

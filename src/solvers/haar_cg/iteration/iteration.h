@@ -9,9 +9,8 @@
 
 #include "core/by_value.h"
 #include "solvers/haar_cg/iteration/interval.h"
-#include "solvers/haar_cg/iteration/known_loads.h"
 #include "solvers/haar_cg/iteration/machine.h"
-#include "solvers/haar_cg/iteration/newton_slope.h"
+#include "solvers/haar_cg/iteration/newton_datum.h"
 #include "solvers/haar_cg/iteration/pace.h"
 #include "solvers/haar_cg/iteration/precision.h"
 #include "solvers/haar_cg/iteration/progress.h"
@@ -25,7 +24,12 @@ namespace rc {
 template <Machine M, class Poll> class HaarIteration {
  public:
   constexpr HaarIteration(M& machine, const HaarTask& task, const Poll& poll)
-      : m_(machine), task_(task), poll_(poll), kept_load_(task.load), mean_(task.by_load ? task.periodic_mean : 0) {}
+      : m_(machine),
+        task_(task),
+        poll_(poll),
+        kept_load_(task.load),
+        mean_(task.by_load ? task.periodic_mean : 0),
+        newton_(task.elongated) {}
 
   // Starts from the machine's pressures and, by load where there are none, from the approach given; 0: none is known.
   constexpr HaarOutcome run(double approach) {
@@ -38,24 +42,12 @@ template <Machine M, class Poll> class HaarIteration {
   using Real = typename M::Real;
   using Vector = typename M::Vector;
   using Wide = typename M::Wide;
-  // Newton's method on the load, where pressures have a cap, or on the deflection that an added mean causes.
-  static constexpr double usual_excess = 2, elongated_excess = 10;       // largest correction of the trees' slope, either way
-  static constexpr double settled = 5e-2;                                // residual below which the free set changes little
-  static constexpr double overloaded = 10;                               // relative imbalance: the approach may then fall by more
-  static constexpr double most_fall = 0.5, most_fall_overloaded = 0.95;  // of the compenetration in a step
-  static constexpr double least_stiffening = 1e-2, most_stiffening = 4;  // correction of the deflection's slope
-  static constexpr double least_slope = 1e-4;                            // of the deflection that is missing
-  static constexpr double most_share = 0.99;                 // of the deflection under a load: the added mean makes up less
   static constexpr int tolerated_rises = 2, most_rises = 8;  // troubles until the mean is dropped; until the load is sought
-  static constexpr double few = 2;         // points whose caps make up the missing load: then the nearest one is released
-  static constexpr double blur = 1e-5;     // of the compenetration: error of such a state's datum
   static constexpr double drift = 0.1;     // of the tolerance: error of a kept load that is put right without a cut
   static constexpr double most_swing = 6;  // of the limit: by how much the datum of the trees may raise it
   static constexpr double known = 0.5;     // residual over the datum below which the datum of a load that is sought is known
   static constexpr double most_stretch = 0.01, least_stretch = 0.05;  // of the pressures; of the residual
   static constexpr double infinite = std::numeric_limits<double>::infinity();
-  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  constexpr double most_excess() const { return task_.elongated ? elongated_excess : usual_excess; }
   // Whether Newton's method moves the datum: by load, or with an added mean.
   constexpr bool follows() const { return !keeps_load_ && (task_.by_load || mean_ > 0); }
   constexpr double scale() const {
@@ -112,7 +104,6 @@ template <Machine M, class Poll> class HaarIteration {
   constexpr void start(double approach) {
     const HaarStart given = m_.begin();
     highest_ = given.highest;
-    if (task_.elongated) excess_.expect(unknown);
     keeps_load_ = task_.by_load && given.warm;
     if (keeps_load_) mean_ = 0;
     if (task_.by_load) datum_ = (approach > 0 ? approach : 0.5) + mean_ * task_.load;
@@ -207,56 +198,35 @@ template <Machine M, class Poll> class HaarIteration {
     m_.raise(m_.w(), -change);
   }
 
-  // The slope of the load over the trees' slope, sum = 1'z with z = M 1. The multiple of z that has the least energy is
-  // 1'z / z'Hz, with an error of second order in that of M.
-  constexpr void measure_excess(double sum) {
-    prepared_ = false;
-    product(m_.z(), m_.y());
-    const double energy = m_.inner(m_.z(), m_.y());
-    excess_.set(energy > 0 ? sum / energy : 1);
+  // Every point is at an end of its pressures and should be.
+  constexpr void release(const NewtonDatum::State& now) {
+    if (!task_.by_load) return raise(mean_ * now.load - datum_);
+    const double missing = task_.load - now.load, nearest = m_.nearest(missing > 0) + 1e-3 * task_.tol * now.depth;
+    if (nearest < infinite) raise(newton_.release(now, missing, nearest, task_.cap));
   }
 
-  // Every point is at an end of its pressures and should be: the load is exactly that of the present datum. Moves the datum at
-  // least to where the first point leaves its end.
-  constexpr void release() {
-    if (!task_.by_load) return raise(mean_ * now_.load - datum_);
-    const double missing = task_.load - now_.load, nearest = m_.nearest(missing > 0) + 1e-3 * task_.tol * scale();
-    if (nearest == infinite) return;
-    raise(loads_.leave(datum_, blur * scale(), now_.load, missing, nearest, std::abs(missing) <= few * task_.cap));
-  }
-
-  // Newton's step of the approach. The missing load is what remains to be added once the present gap is closed.
+  // Newton's step of the datum.
   constexpr void balance() {
     choose(threshold());
-    double pending = precondition(Vector(nullptr), m_.w()), sum = m_.total(m_.z());
-    if (!(sum > 0)) {
-      release();
+    NewtonDatum::State now{datum_, now_.load, scale(), 0, 0, last_};
+    const auto slope = [&] {
+      now.pending = precondition(Vector(nullptr), m_.w());
+      now.slope = m_.total(m_.z());
+      return now.slope > 0;
+    };
+    if (!slope()) {
+      release(now);
+      now.datum = datum_;
+      now.depth = scale();
       choose(0);
-      pending = precondition(Vector(nullptr), m_.w());
-      sum = m_.total(m_.z());
-      if (!(sum > 0)) return;
+      if (!slope()) return;
     }
-    // The added mean causes less than the whole deflection. Where the trees contradict that, they overrate the slope.
-    if (!excess_.known() || (!task_.by_load && mean_ * excess_.factor() * sum > most_share)) measure_excess(sum);
-    if (!task_.by_load) return deflect(pending, sum);
-    const double depth = scale(), missing = task_.load - now_.load + excess_.factor() * pending;
-    excess_.correct(missing, last_ < settled, last_ < settled);
-    const double wanted = missing / (excess_.factor() * sum);
-    const bool far = imbalance() > overloaded;
-    const double change = loads_.between(
-        datum_, within(wanted, (far ? -most_fall_overloaded : -most_fall) * depth, larger_of(depth, mean_ * task_.load)));
-    excess_.expect(change == wanted ? missing : far || task_.elongated ? unknown : 0);
-    raise(change);
-  }
-
-  // Newton's step of the datum in approach control: the datum must become the deflection that the added mean causes.
-  constexpr void deflect(double pending, double sum) {
-    const double excess = excess_.factor(), missing = mean_ * (now_.load - excess * pending) - datum_, depth = 1 + datum_;
-    stiffening_.correct(missing, true, last_ < settled);
-    const double wanted = missing / (stiffening_.factor() * larger_of(1 - mean_ * excess * sum, least_slope));
-    const double change = within(wanted, -0.5 * depth, depth);
-    stiffening_.expect(change == wanted ? missing : unknown);
-    raise(change);
+    if (newton_.unmeasured(mean_, now.slope, task_.by_load)) {
+      prepared_ = false;
+      product(m_.z(), m_.y());
+      newton_.measured(now.slope, m_.inner(m_.z(), m_.y()));
+    }
+    raise(task_.by_load ? newton_.to_load(now, task_.load, imbalance(), mean_) : newton_.to_deflection(now, mean_));
   }
 
   // Approach control by the load: the next load to keep, once the datum of the present one is known.
@@ -276,7 +246,7 @@ template <Machine M, class Poll> class HaarIteration {
   // Every point is at an end. Lowers the datum until a point at the cap would leave it: first to a little above, so that the rest
   // keeps its digits in w.
   constexpr void descend() {
-    if (const double fall = m_.nearest(false) - blur * scale(); fall > 0) {
+    if (const double fall = m_.nearest(false) - NewtonDatum::blur * scale(); fall > 0) {
       datum_ -= fall;
       refresh();
     }
@@ -340,7 +310,7 @@ template <Machine M, class Poll> class HaarIteration {
     restart();
     mean_ = task_.periodic_mean;
     datum_ = mean_ * now_.load;
-    stiffening_.set(1);
+    newton_.begin_deflection();
     mean_tried_ = true;
   }
 
@@ -419,9 +389,7 @@ template <Machine M, class Poll> class HaarIteration {
   bool cut_any_ = false;         // the last bound cut pressures off
   bool prepared_ = false;        // the trees are set up for the present free set
   double violation_ = infinite;  // at the last bound, relative to the largest compenetration
-  KnownLoads loads_;
-  NewtonSlope excess_{1 / most_excess(), most_excess()};       // slope of the load over the trees' slope
-  NewtonSlope stiffening_{least_stiffening, most_stiffening};  // correction of the datum's slope in approach control
+  NewtonDatum newton_;
   SoughtLoad sought_;
   HaarProgress progress_;
   int rises_ = 0;  // troubles

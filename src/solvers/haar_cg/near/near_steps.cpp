@@ -30,7 +30,7 @@ std::size_t contacts_of(std::span<const double> p) {
 
 std::size_t points_of(const Problem& problem) {
   const rc_grid& grid = *problem.grid();
-  const bool served = problem.history() && !problem.ranks() && grid.boundary == RC_BOUNDARY_FREE &&
+  const bool served = problem.kept() && !problem.ranks() && grid.boundary == RC_BOUNDARY_FREE &&
                       problem.cap() == std::numeric_limits<double>::infinity() && grid.nx * grid.ny <= most_cells &&
                       problem.option_int("resumable") == 0;
   return served ? static_cast<std::size_t>(problem.option_int("haar-cg.inverse")) : 0;
@@ -93,8 +93,8 @@ struct NearSteps::State {
 };
 
 NearSteps::NearSteps(const Problem& problem) : problem_(problem), most_(points_of(problem)) {
-  if (most_ == 0 || !problem.history()->last) return;
-  Kept& last = *static_cast<Kept*>(problem.history()->last);
+  if (most_ == 0 || !problem.kept()->last) return;
+  Kept& last = *static_cast<Kept*>(problem.kept()->last);
   kept_ = {last.contacts, last.near, std::move(last.inverse), {}, {}};
 }
 
@@ -110,13 +110,12 @@ void NearSteps::keep(std::span<const double> p) {
     kept_.product = std::move(product_);
     for (double& value : kept_.product) value *= problem_.length_unit();
   }
-  problem_.history()->keep(problem_.history(), new Kept(std::move(kept_)),
-                           [](void* object) { delete static_cast<Kept*>(object); });
+  problem_.kept()->keep(problem_.kept(), new Kept(std::move(kept_)), [](void* object) { delete static_cast<Kept*>(object); });
 }
 
 // H p of a start that is made of two steps, whose products are known. Pressures that would have been negative are not.
 bool NearSteps::know_product(std::span<const double> p, std::vector<double>& product) const {
-  const rc_kept_steps& history = *problem_.history();
+  const rc_kept_steps& history = *problem_.kept();
   if (!history.last || !history.before) return false;
   const Kept &last = *static_cast<const Kept*>(history.last), &before = *static_cast<const Kept*>(history.before);
   if (last.p.size() != p.size() || before.p.size() != p.size() || problem_.grid()->index) return false;

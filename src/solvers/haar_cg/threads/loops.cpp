@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <type_traits>
+
 #include "solvers/haar_cg/threads/pass_loops.h"
 
 #if defined(__x86_64__) && defined(__GNUC__)
@@ -35,14 +38,11 @@ template <> struct Eight<double> {
 // A vector at any address. It is a member of a packed struct, because compilers may drop the alignment of a type's alias.
 template <class Type> struct __attribute__((packed, may_alias)) Anywhere { Type v; };
 
+#define RC_INLINE RC_TARGET inline __attribute__((always_inline))
 // Macros, because a function would not be compiled for the caller's vector instructions.
 #define RC_READ(Type, from) (static_cast<Type>(reinterpret_cast<const Anywhere<Type>*>(from)->v))
 #define RC_AT(Type, to) (reinterpret_cast<Anywhere<Type>*>(to)->v)
 #define RC_TOTAL(v) ((((v)[0] + (v)[1]) + ((v)[2] + (v)[3])) + (((v)[4] + (v)[5]) + ((v)[6] + (v)[7])))
-
-constexpr float most_share = 32767;  // in units of HaarBlocks::w
-constexpr float detail = 0.5F;       // share of the differences inside a block that is kept
-constexpr float least_pivot = 1e-12F;
 
 namespace baseline {
 #define RC_TARGET

@@ -137,7 +137,7 @@ HaarMeasure ThreadMachine<Real, Pressure>::measure(typename Loops::Measure Loops
     const Loops& loops = loops_at(begin);
     const HaarRun* const runs = runs_at(begin);
     const auto read = [&, all = everywhere || &loops == &capped_loops_](std::int64_t i) {
-      return all || i + haar_run > begin + n || runs[(i - begin) / haar_run] == HaarRun::busy;
+      return all || runs[(i - begin) / haar_run] == HaarRun::busy;
     };
     HaarMeasure total;
     with_u(begin, n, read, [&](std::int64_t i, std::int64_t count, const double* u) {

@@ -7,10 +7,7 @@
 
 namespace rc {
 
-constexpr float haar_unit_share = 16384;  // of HaarBlocks::w
-
-// Eight blocks. w: the children's shares of the block's load, in units of 2^-14. m: couplings of the differences between the
-// children 01 02 03 12 13 23, as the upper halves of floats. A preconditioner needs no more digits.
+// Eight blocks: w and m as tree/algebra.inc stores them.
 struct HaarBlocks {
   std::int16_t w[4][8];
   std::uint16_t m[6][8];

@@ -13,6 +13,8 @@ struct HaarCouplings {
   float x, y, xy;
 };
 
+constexpr float haar_unit_share = 16384;  // shares of a block's children are stored as whole numbers of 2^-14
+
 struct HaarTreeLevel {
   std::int64_t mx, my;                      // cells of this level
   bool merge_x = false, merge_y = false;    // how they join to blocks, the next level's cells

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "support/unit_system.h"
+#include "support/unshared.h"
 
 RC_PLUGIN_LINKAGE rc_status rc_builtin_dense(const rc_host*, const rc_plugin**);
 
@@ -67,6 +68,11 @@ inline rc_status coefficients(const rc_host* host, const rc_system* system, cons
   return RC_OK;
 }
 
+inline support::Unshared& objects() {
+  static support::Unshared instance;
+  return instance;
+}
+
 inline const rc_host& host() {
   static const rc_host instance = [] {
     rc_host filled = {};
@@ -75,6 +81,9 @@ inline const rc_host& host() {
     filled.fail = set_message;
     filled.option_real = option_real;
     filled.coefficients = coefficients;
+    filled.share = [](const rc_host*, const char*, rc_status (*make)(void*, void**), void (*destroy)(void*), void* argument,
+                      void** object) { return objects().add(make, destroy, argument, object); };
+    filled.release = [](const rc_host*, void* object) { objects().remove(object); };
     return filled;
   }();
   return instance;

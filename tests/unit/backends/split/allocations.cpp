@@ -17,7 +17,14 @@ rc_status all_operations(const rc_host& host, const rc_operator_spec& spec, cons
   float product[2];
   std::int64_t found[4];
   double depth[4], at_points[2];
-  rc_screen request{sizeof(rc_screen), 1.0, 1.0, gap.data(), nullptr, at_points, 4, found, depth, 0, nullptr, nullptr, 0, 0};
+  rc_screen request{.struct_size = sizeof(rc_screen),
+                    .approach = 1.0,
+                    .unit = 1.0,
+                    .undeformed_gap = {gap.data(), RC_NATIVE, 0, nullptr},
+                    .y = at_points,
+                    .room = 4,
+                    .found = found,
+                    .depth = depth};
   status = backend().bind(self, &bound);
   if (status == RC_OK) status = backend().apply(self, x.data(), y.data());
   if (status == RC_OK) status = backend().apply_float(self, single, product);

@@ -151,8 +151,14 @@ void a_growing_domain_equals_a_fresh_operator(void**) {
     all.insert(all.end(), single.begin(), single.end());
     Vector y(domain.size()), depth(100);
     Index found(100);
-    rc_screen request{sizeof(rc_screen), 20.0,         1.0, gap.data(), nullptr, y.data(), 100,
-                      found.data(),      depth.data(), 0,   nullptr,    nullptr, 0,        0};
+    rc_screen request{.struct_size = sizeof(rc_screen),
+                      .approach = 20.0,
+                      .unit = 1.0,
+                      .undeformed_gap = {gap.data(), RC_NATIVE, 0, nullptr},
+                      .y = y.data(),
+                      .room = 100,
+                      .found = found.data(),
+                      .depth = depth.data()};
     op.screen(x, request);
     for (const Vector& values : {y, depth, op.field(x)}) all.insert(all.end(), values.begin(), values.end());
     return all;
@@ -197,8 +203,14 @@ void results_do_not_depend_on_threads(void**) {
     for (const double value : op.field(x)) all.push_back(value);
     Vector y(domain.size()), depth(100);
     Index found(100);
-    rc_screen request{sizeof(rc_screen), 20.0,         1.0, gap.data(), nullptr, y.data(), 100,
-                      found.data(),      depth.data(), 0,   nullptr,    nullptr, 0,        0};
+    rc_screen request{.struct_size = sizeof(rc_screen),
+                      .approach = 20.0,
+                      .unit = 1.0,
+                      .undeformed_gap = {gap.data(), RC_NATIVE, 0, nullptr},
+                      .y = y.data(),
+                      .room = 100,
+                      .found = found.data(),
+                      .depth = depth.data()};
     op.screen(x, request);
     for (const double value : y) all.push_back(value);
     for (const double value : depth) all.push_back(value);

@@ -48,23 +48,21 @@ struct Answer {
 };
 
 Answer screened(Operator& op, const Index& domain, const Vector& x, const Surface& surface, std::size_t room,
-                const double* tile_lowest = nullptr, std::size_t struct_size = sizeof(rc_screen), std::int64_t first_row = 0,
-                std::int64_t rows = 0) {
+                const double* tile_lowest = nullptr, std::int64_t first_row = 0, std::int64_t rows = 0) {
   Answer answer{Vector(domain.size()), {Index(room), Vector(room)}, -1};
-  rc_screen request{struct_size,
-                    surface.approach,
-                    surface.unit,
-                    surface.gap.data(),
-                    surface.mask.empty() ? nullptr : surface.mask.data(),
-                    answer.y.data(),
-                    static_cast<std::int64_t>(room),
-                    answer.found.point.data(),
-                    answer.found.depth.data(),
-                    0,
-                    tile_lowest,
-                    nullptr,
-                    first_row,
-                    rows};
+  rc_screen request{.struct_size = sizeof(rc_screen),
+                    .approach = surface.approach,
+                    .unit = surface.unit,
+                    .undeformed_gap = {surface.gap.data(), RC_NATIVE, 0, nullptr},
+                    .mask = surface.mask.empty() ? nullptr : surface.mask.data(),
+                    .tile_lowest = tile_lowest,
+                    .first_row = first_row,
+                    .rows = rows,
+                    .y = answer.y.data(),
+                    .room = static_cast<std::int64_t>(room),
+                    .found = answer.found.point.data(),
+                    .depth = answer.found.depth.data(),
+                    .n_found = 0};
   op.screen(x, request);
   answer.n_found = request.n_found;
   const std::size_t filled = std::min(room, static_cast<std::size_t>(request.n_found));
@@ -246,7 +244,7 @@ void rows_are_screened_alone(void**) {
       };
       Surface part{of_rows(scene.surface.gap), {}, scene.surface.approach, scene.surface.unit};
       if (!scene.surface.mask.empty()) part.mask = of_rows(scene.surface.mask);
-      const Answer answer = screened(op, scene.domain, scene.x, part, room, nullptr, sizeof(rc_screen), first, end - first);
+      const Answer answer = screened(op, scene.domain, scene.x, part, room, nullptr, first, end - first);
       assert_true(answer.y == whole.y);
       found.point.insert(found.point.end(), answer.found.point.begin(), answer.found.point.end());
       found.depth.insert(found.depth.end(), answer.found.depth.begin(), answer.found.depth.end());
@@ -256,7 +254,7 @@ void rows_are_screened_alone(void**) {
   }
 }
 
-// Gaps of a tile whose lowest gap is given are not read. The member is ignored if the caller's struct_size does not cover it.
+// Gaps of a tile whose lowest gap is given are not read.
 void tiles_known_to_lie_apart_are_not_looked_at(void**) {
   const Grid grid{200, 170, 1.0, 1.0, "love"};
   const std::int64_t point = 150 * grid.nx + 180;
@@ -267,12 +265,9 @@ void tiles_known_to_lie_apart_are_not_looked_at(void**) {
   const Index domain{0, 1};
   Operator op(grid);
   op.bind(domain);
-  const auto found = [&](const double* tile_lowest, std::size_t struct_size) {
-    return screened(op, domain, {1.0, 1.0}, surface, 4, tile_lowest, struct_size).n_found;
-  };
-  assert_int_equal(found(nullptr, sizeof(rc_screen)), 1);
-  assert_int_equal(found(lowest.data(), sizeof(rc_screen)), 0);
-  assert_int_equal(found(lowest.data(), offsetof(rc_screen, tile_lowest)), 1);
+  const auto found = [&](const double* tile_lowest) { return screened(op, domain, {1.0, 1.0}, surface, 4, tile_lowest).n_found; };
+  assert_int_equal(found(nullptr), 1);
+  assert_int_equal(found(lowest.data()), 0);
 }
 
 }  // namespace split

@@ -1,0 +1,89 @@
+// Watches one solve: iteration and time limits, cancellation, progress.
+#pragma once
+
+#include <roughcontact/roughcontact.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+
+namespace rc {
+
+// What operators have spent since they were made.
+struct Spent {
+  std::int64_t products = 0;
+  double setup_seconds = 0;
+};
+
+using Clock = std::chrono::steady_clock;
+inline double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+struct ProgressCallback {
+  rc_progress_fn function = nullptr;
+  void* user = nullptr;
+  std::int64_t every = 1;
+};
+
+class Monitor {
+ public:
+  // before: what the operators had spent.
+  Monitor(const std::atomic<bool>& cancelled, const ProgressCallback& progress, double time_limit, std::int64_t max_iter,
+          const Spent& before = {})
+      : cancelled_(cancelled), progress_(progress), time_limit_(time_limit), max_iter_(max_iter), before_(before) {}
+
+  // Asked before every product.
+  rc_status ask() const {
+    if (cancelled_.load(std::memory_order_relaxed)) return RC_STOP_CANCELLED;
+    if (time_limit_ > 0 && seconds() > time_limit_) return RC_STOP_TIME;
+    return RC_OK;
+  }
+
+  // Called once an iteration by a solver, which counts from 0 at each of its calls.
+  rc_status poll(std::int64_t iteration, double kkt, std::int64_t products) {
+    if (iteration > iteration_) ++iterations_;
+    iteration_ = iteration;
+    if (progress_.function && iterations_ >= next_report_) {
+      next_report_ = iterations_ + progress_.every;
+      const rc_progress report{sizeof(rc_progress), iterations_, products, kkt, seconds()};
+      if (progress_.function(&report, progress_.user) != 0) return RC_STOP_CANCELLED;
+    }
+    if (const rc_status status = ask(); status != RC_OK) return status;
+    return iterations_ >= max_iter_ ? RC_STOP_MAX_ITER : RC_OK;
+  }
+  // Passes the report of a solve inside this one on to the caller.
+  std::int32_t report(const rc_progress& inner) const {
+    if (!progress_.function || inner.iteration % progress_.every != 0) return 0;
+    rc_progress report = inner;
+    report.seconds = seconds();
+    return progress_.function(&report, progress_.user);
+  }
+  void next_call() { iteration_ = 0; }
+  // begin_call and end_call enclose a solver inside a solver.
+  std::int64_t begin_call() {
+    const std::int64_t outer = iteration_;
+    iteration_ = 0;
+    return outer;
+  }
+  void end_call(std::int64_t outer) { iteration_ = outer; }
+
+  // For a solve inside this one that reports nothing.
+  Monitor silent() const { return {cancelled_, {}, time_left(), max_iter_}; }
+
+  // Seconds left of the time limit; 0: there is none.
+  double time_left() const { return time_limit_ > 0 ? std::max(time_limit_ - seconds(), 1e-3) : 0; }
+  std::int64_t iterations() const { return iterations_; }
+  double seconds() const { return seconds_since(start_); }
+  const Spent& before() const { return before_; }
+
+ private:
+  const std::atomic<bool>& cancelled_;
+  const ProgressCallback progress_;
+  const double time_limit_;
+  const std::int64_t max_iter_;
+  const Spent before_;
+  const Clock::time_point start_ = Clock::now();
+  std::int64_t iterations_ = 0, iteration_ = 0, next_report_ = 0;
+};
+
+}  // namespace rc

@@ -1,0 +1,90 @@
+// What a step may read: the system, the options and the surface of one grid, and with whom it is solved. Operators are made on
+// demand beside it.
+#pragma once
+
+#include <roughcontact/plugin.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "contact/surface/gap_on_device.h"
+#include "contact/surface/step_surface.h"
+#include "contact/system.h"
+#include "core/company.h"
+#include "core/thread_team.h"
+#include "registry/options_handle.h"
+
+namespace rc {
+
+class CoarseGrids;
+class Operators;
+struct Attempt;
+struct Spectrum;
+
+// The accuracy goal: what the option accuracy asks for.
+struct Goal {
+  double error = 0;  // relative; 0: none
+  bool of_area = false;
+
+  // A tolerance far below the goal. Areas need a smaller one: they count points, some of which carry hardly any pressure.
+  double tol() const { return error / (of_area ? 1000 : 100); }
+};
+inline Goal goal_of(const rc_options& options) {
+  return {options.real(RC_OPT_ACCURACY), options.text(RC_OPT_ACCURACY_OF) == "area"};
+}
+
+// Facts for proofs and remarks, computed when a step first needs them.
+struct Facts {
+  std::shared_ptr<const Spectrum> spectrum;  // of the system
+  std::optional<double> tilt;                // plane_share of the surface
+  std::optional<double> punch;               // punch_stiffness of the system
+};
+
+// It cannot be moved: operators keep the addresses of its options and team.
+class GridProblem {
+ public:
+  // team: null, or a team to use instead of its own. By rows all arrays over points are of this process's rows.
+  GridProblem(const rc_system& system, const rc_options& options, const rc_team* team, const Company& company = {});
+  ~GridProblem();
+  GridProblem(const GridProblem&) = delete;
+  GridProblem& operator=(const GridProblem&) = delete;
+
+  // Checks the names of components before a step needs them. Throws Error(OPTION, NO_SOLVER, NO_BACKEND, INCOMPATIBLE).
+  void set_options(const rc_options& given);
+  const Company& company() const { return company_; }
+  const rc_team& team() const { return *team_; }
+  std::int64_t own_rows() const { return company_.own_rows(system.given.ny); }
+  std::int64_t own_points() const { return system.given.nx * own_rows(); }  // of this process
+  rc_grid grid() const;                                                     // of a half-space; without its gap
+  Operators& operators() const { return *operators_; }
+
+  const System system;
+  const Host host;  // with the system's kernel
+  rc_options options;
+  // Both set by Contact: the contact of a coarser grid has no goal, and its solvers keep nothing between steps.
+  Goal goal;
+  bool keeps_answers = false;
+  StepSurface surface;
+  GapOnDevice gap_on_device;      // of the surface, if it is_of() that
+  CoarseGrids* coarse = nullptr;  // solves coarser grids for solvers; it outlives the step
+  mutable Facts facts;
+
+ private:
+  std::unique_ptr<ThreadTeam> own_team_;
+  const rc_team* team_;
+  const Company company_;
+  std::unique_ptr<Operators> operators_;
+};
+
+// Coarser grids for solvers: rc_problem.coarse.
+class CoarseGrids {
+ public:
+  virtual ~CoarseGrids() = default;
+  // attempt: at the step of the finest grid, whose limits hold.
+  virtual std::unique_ptr<CoarseGrids> another() const = 0;  // without grids
+  virtual rc_status solve(rc_coarse& request, const GridProblem& problem, const Attempt& attempt) = 0;
+};
+
+}  // namespace rc

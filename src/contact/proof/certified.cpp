@@ -1,0 +1,377 @@
+#include "contact/proof/certified.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "contact/operators.h"
+#include "contact/proof/plausibility.h"
+#include "contact/proof/survey.h"
+#include "contact/slopes/punch_stiffness.h"
+#include "contact/spectrum.h"
+#include "core/certificate_terms.h"
+#include "core/error.h"
+#include "core/large_memory.h"
+#include "core/limits.h"
+
+namespace rc {
+
+namespace {
+
+std::string explain(const Numbers& numbers, const Remarks& remarks) {
+  std::string whole;
+  for (const std::string& remark : remarks.all()) whole += "; " + remark;
+  const Certificate& found = numbers.certificate;
+  return join(rc_status_text(numbers.status), ": kkt_primal ", found.primal, ", kkt_dual ", found.dual, ", kkt_complementarity ",
+              found.complementarity, ", kkt_control ", found.control, ", tol ", numbers.tolerance, ", after ",
+              numbers.work.iterations, " iterations", whole);
+}
+
+// Whole remarks only, the gravest first.
+std::string note_of(const GridProblem& problem, const Numbers& numbers, double compression, const Rim& rim,
+                    const Remarks& remarks) {
+  const System& system = problem.system;
+  std::vector<std::string> all;
+  std::string edges;
+  if (system.halfspace() && numbers.totals.contacts > 0) {
+    std::optional<double>& tilt = problem.facts.tilt;
+    if (!tilt) tilt = plane_share(problem.surface, system.given.nx, system.given.ny, system.periodic());
+    const double mean_pressure = numbers.totals.sum / static_cast<double>(system.points());
+    all = doubts(system, mean_pressure, numbers.totals.contacts, compression, *tilt);
+    edges = edge_effects(numbers.stiffness.value / numbers.punch_stiffness, rim, *tilt);
+  }
+  if (std::isinf(numbers.bounds.load_upper)) all.emplace_back("no upper bound of the load is proven");
+  all.insert(all.end(), remarks.all().begin(), remarks.all().end());
+  if (!edges.empty()) all.push_back(edges);
+  std::string note;
+  for (const std::string& remark : all) {
+    if (note.size() + remark.size() + 6 > sizeof rc_result::note) {
+      note += note.empty() ? remark : "; ...";
+      break;
+    }
+    note += (note.empty() ? "" : "; ") + remark;
+  }
+  return note;
+}
+
+Stiffness wanted_stiffness(const GridProblem& problem, const Answer& answer) {
+  return problem.options.integer(RC_OPT_STIFFNESS) != 0 ? stiffness(problem, answer) : Stiffness{};
+}
+
+// The operator whose products certify, for the trial set of the one that solved.
+Operator& certifying(const GridProblem& problem, Operator& solving) {
+  const std::string& name = problem.options.text(RC_OPT_CERTIFY_BACKEND);
+  if (name.empty()) return solving;
+  return problem.operators().bound(certifying_backend(name, problem.options, problem.system), solving.trial());
+}
+
+TrialSet all_if_kept(TrialSet trial, const GridProblem& problem) {
+  if (problem.company().keeps_all_points() || trial.n == problem.own_points()) return {problem.own_points(), {}};
+  return trial;
+}
+
+// For the interval of the stiffness; null if it is proven that nothing touches.
+Operator* proving(const GridProblem& problem, const Answer& answer, const std::vector<std::int64_t>& possible,
+                  const Attempt& attempt) {
+  if (answer.op) return &certifying(problem, *answer.op);
+  TrialSet trial{static_cast<std::int64_t>(possible.size()), possible};
+  if (problem.surface.united(trial.n) == 0) return nullptr;
+  trial = all_if_kept(std::move(trial), problem);
+  const Choice choice = choose_for(problem, trial, RC_CONTROL_APPROACH, attempt.failed, false);
+  return &certifying(problem, problem.operators().bound(*choice.backend, trial));
+}
+
+// Where no entry of H and no pressure is negative, points whose gap is no smaller than the approach cannot overlap.
+bool only_unknowns_matter(const GridProblem& problem, const Answer& answer) {
+  return answer.op && problem.system.positive && answer.status == RC_OK && answer.compression <= answer.limit &&
+         std::all_of(answer.p.begin(), answer.p.end(), [](double p) { return p >= 0; });
+}
+
+// What was done instead of what the solver asked for, and what a kernel does not promise.
+void remark_on(const GridProblem& problem, const Answer& answer, Remarks& remarks) {
+  const std::uint64_t needs = answer.choice.solver ? answer.choice.solver->needs : 0;
+  const auto replaced = [&](std::uint64_t operation, const char* systems) {
+    if (answer.op && !(answer.op->capabilities() & operation))
+      remarks.add(join(systems, " by conjugate gradients: backend \"", answer.op->name(), "\" cannot factor"));
+  };
+  if (answer.handed_over) remarks.add("load control of the solver stalled: iteration on the approach instead");
+  if (answer.handed_over || (needs & RC_CAP_SUBSET)) replaced(RC_CAP_SUBSET, "systems on subsets");
+  if (needs & RC_CAP_SHIFTED) replaced(RC_CAP_SHIFTED, "shifted systems");
+  const System& system = problem.system;
+  if (system.halfspace() && !system.influence->built_in() && (system.periodic() ? system.lambda_wave : system.lambda_min) == 0 &&
+      problem.options.integer(RC_OPT_BOUNDS) != 0 && problem.goal.error == 0)
+    remarks.add(join("bounds: kernel \"", system.kernel, "\" promises no lowest eigenvalue"));
+}
+
+// A caller's matrix or product must be positive definite: p'Hp > 0 for the pressures found.
+void check_definite(const System& system, const Deflected& answer, const Survey& found, const Totals& totals) {
+  if (system.halfspace() || !(totals.largest_p > 0)) return;
+  double curved = 0;  // scaled, so that the products do not underflow
+  if (totals.largest_product > 0)
+    for (const std::size_t k : found.touching)
+      curved += answer.p()[k] / totals.largest_p * (answer.product[k] / totals.largest_product);
+  if (curved <= 0)
+    fail(RC_ERR_NUMERIC, system.given.op == RC_OPERATOR_DENSE ? "the dense matrix" : "the caller's apply function",
+         " is not positive definite: p'Hp = ", curved * totals.largest_p * totals.largest_product,
+         " for the pressures p found, must be > 0");
+}
+
+Totals totals_of(const GridProblem& problem, const Deflected& answer, const Survey& found, const RimPoints& rim,
+                 double compression) {
+  const System& system = problem.system;
+  const StepSurface& surface = problem.surface;
+  const std::span<const double> p = answer.p();
+  const auto add = [&](Totals& part, std::size_t k) {
+    if (p[k] == 0 && std::isfinite(answer.product[k])) return;
+    const std::size_t i = answer.point(k);
+    if (!surface.included(i)) return;
+    part.sum += p[k];
+    part.contacts += p[k] > 0;
+    if (p[k] >= system.hardness) {
+      ++part.capped;
+      part.overlap += std::max(0.0, compression - surface.height(i) - answer.product[k]);
+    }
+    part.energy += (0.5 * answer.product[k] - (compression - surface.height(i))) * p[k];
+    part.max_pressure = std::max(part.max_pressure, p[k]);
+    part.largest_p = std::max(part.largest_p, std::abs(p[k]));
+    if (rim.holds(i)) {
+      part.on_rim += p[k];
+      part.largest_on_rim = std::max(part.largest_on_rim, p[k]);
+    }
+    part.largest_product = std::max(part.largest_product, std::abs(answer.product[k]));
+  };
+  return surface.sum_over<Totals>(std::span<const std::size_t>(found.touching), add);
+}
+
+// Answers, message and arrays. rate: the stiffness, if the answer has given its pressures away.
+Numbers finished(const GridProblem& problem, const Step& step, const Answer& answer, const Deflected& found, double depth,
+                 std::optional<Stiffness> rate, Attempt& attempt, const Outputs& outputs) {
+  if (!rate) rate = wanted_stiffness(problem, answer);
+  std::optional<ProvenSets> proven;
+  Numbers numbers = certified_numbers(problem, step, answer, found, depth, rate->value, attempt, &proven);
+  if (proven) {
+    Operator* const op = proving(problem, answer, proven->possible, attempt);
+    prove_interval(problem, op, proven->contacts, proven->possible, *rate);
+  }
+  numbers.stiffness = *rate;
+  if (numbers.status != RC_OK && answer.status != RC_OK) numbers.status = answer.status;
+  numbers.work = work_of(problem, attempt.monitor);
+  if (numbers.status != RC_OK) set_message(explain(numbers, attempt.remarks).c_str());
+  write_arrays(problem, found, depth, outputs);
+  return numbers;
+}
+
+}  // namespace
+
+double mean_gap(const GridProblem& problem, const Survey& everywhere, double overlap) {
+  return (everywhere.sum_of_gaps + overlap) / static_cast<double>(problem.surface.included_points());
+}
+
+Numbers certified_numbers(const GridProblem& problem, const Step& step, const Answer& by, const Deflected& answer,
+                          double compression, double stiffness, Attempt& attempt, std::optional<ProvenSets>* proven) {
+  const System& system = problem.system;
+  const StepSurface& surface = problem.surface;
+  remark_on(problem, by, attempt.remarks);
+  const RimPoints rim(system.given, surface.first_row());
+  const Survey found = survey(surface, compression, answer);
+  Numbers result;
+  const Totals& totals = result.totals = totals_of(problem, answer, found, rim, compression);
+  check_definite(system, answer, found, totals);
+  // With an accuracy goal there are too few digits for proofs.
+  if (problem.options.integer(RC_OPT_BOUNDS) != 0 && problem.goal.error == 0) {
+    std::shared_ptr<const Spectrum>& spectrum = problem.facts.spectrum;
+    if (!spectrum) spectrum = std::make_shared<const Spectrum>(spectrum_of(system));
+    ProvenSets sets;
+    const bool asked = proven && problem.options.integer(RC_OPT_STIFFNESS) == 2;
+    result.bounds = prove_bounds(system, *spectrum, surface, compression, answer, found, asked ? &sets : nullptr);
+    if (asked && result.bounds.undecided >= 0 && sets.listed) *proven = std::move(sets);
+  }
+  result.certificate =
+      certify(surface, compression, answer, found, residual_scale(step.target, problem, compression), system.hardness);
+  if (step.target.by_load()) result.certificate.control = load_imbalance(result.load(system), step.target.value);
+  if (std::isnan(result.certificate.dual) || !std::isfinite(result.load(system)) ||
+      !std::isfinite(totals.energy * system.cell_area()))
+    fail(RC_ERR_NUMERIC,
+         "the answer is not finite: the operator returned values that are not finite, or the units are such that ",
+         "pressures, load or energy exceed double precision");
+
+  if (by.choice.solver) copy_text(result.solver, by.choice.solver->name);
+  if (by.choice.backend) copy_text(result.backend, by.choice.backend->name);
+  result.modelled = by.op ? by.op->modelled() : 0;
+  const bool by_load = step.target.by_load();
+  const double limit = by_load ? surface.limit_of(compression) : step.target.value;
+  result.candidates = system.positive ? surface.extent_below(limit).n : surface.included_points();
+  result.approach = !by_load ? step.target.value : surface.included_points() > 0 ? surface.lowest() + compression : 0;
+  if (static_cast<std::int64_t>(answer.size()) == problem.own_points())
+    result.mean_gap = mean_gap(problem, found, totals.overlap);
+  result.tolerance = problem.options.real(RC_OPT_TOL);
+  const double estimate = problem.goal.error > 0 ? 0 : nan;
+  result.accuracy = {sizeof(rc_accuracy), system.given.nx, system.given.ny, estimate, estimate, 0};
+  result.stiffness.value = stiffness;
+  if (!std::isnan(stiffness)) {
+    if (!problem.facts.punch) problem.facts.punch = punch_stiffness(system);
+    result.punch_stiffness = *problem.facts.punch;
+  }
+  const bool largest_there = totals.largest_on_rim > 0 && totals.largest_on_rim == totals.largest_p;
+  const Rim on_rim{rim.share(), totals.sum > 0 ? totals.on_rim / totals.sum : 0, largest_there};
+  copy_text(result.note, note_of(problem, result, compression, on_rim, attempt.remarks).c_str());
+  result.status = result.certificate.within(result.tolerance) ? RC_OK : RC_UNCERTIFIED;
+  return result;
+}
+
+Work work_of(const GridProblem& problem, const Monitor& monitor) {
+  const Spent spent = problem.operators().spent();
+  const double setup_seconds = spent.setup_seconds - monitor.before().setup_seconds;
+  return {monitor.iterations(), spent.products - monitor.before().products, 0, std::max(0.0, monitor.seconds() - setup_seconds),
+          setup_seconds};
+}
+
+void write_arrays(const GridProblem& problem, const Deflected& answer, double compression, const Outputs& outputs) {
+  answer.pressures.write(outputs.p, problem.own_points(), problem.team());
+  if (!outputs.gap.wanted()) return;
+  each_chunk(static_cast<std::int64_t>(answer.size()), problem.team(), [&](std::int64_t begin, std::int64_t count) {
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(begin + count); ++i)
+      outputs.gap.put(i, answer.product[i] - (compression - problem.surface.height(i)));
+  });
+}
+
+namespace {
+
+// From the dimensionless product to lengths.
+void take_units(const Answer& answer, const GridProblem& problem, std::vector<double>& product) {
+  each_chunk(static_cast<std::int64_t>(product.size()), problem.team(), [&](std::int64_t begin, std::int64_t count) {
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(begin + count); ++i)
+      product[i] = product[i] * answer.length_unit - answer.datum_shift;
+  });
+}
+
+}  // namespace
+
+Deflected deflected(const GridProblem& problem, Answer& answer, bool everywhere) {
+  const std::int64_t points = problem.own_points();
+  const rc_team& team = problem.team();
+  const Company& company = problem.company();
+  if (answer.checked && (!everywhere || answer.checked->on().n == points)) return std::move(*answer.checked);
+  Deflected result;
+  if (!answer.op) {
+    result.pressures.on.n = points;
+    company.on_all([&] {
+      result.pressures.p.assign(static_cast<std::size_t>(points), 0.0);
+      result.product.assign(result.size(), 0.0);
+    });
+    return result;
+  }
+  Operator& op = certifying(problem, *answer.op);
+  if (!everywhere && !company.keeps_all_points() && only_unknowns_matter(problem, answer)) {
+    result.product = large_vector<double>(answer.p.size(), team);
+    raise_if_failed(op.apply(answer.p.data(), result.product.data()), "the certificate's product");
+    take_units(answer, problem, result.product);
+    result.pressures = answer.take_pressures(team);
+    return result;
+  }
+  company.on_all([&] { result.product = large_vector<double>(static_cast<std::size_t>(points), team); });
+  op.field(answer.p, result.product);
+  take_units(answer, problem, result.product);
+  result.pressures.on.n = points;
+  Pressures own = answer.take_pressures(team);
+  if (own.on.index.empty()) {
+    result.pressures.p = std::move(own.p);
+  } else {
+    result.pressures.p = large_vector<double>(result.product.size(), team);
+    own.write(result.pressures.p.data(), points, team);
+  }
+  return result;
+}
+
+double fitting_compression(const GridProblem& problem, const Deflected& answer) {
+  struct Part {
+    double sum = 0, moment = 0, least = -infinite;
+    Part operator+(const Part& b) const { return {sum + b.sum, moment + b.moment, std::max(least, b.least)}; }
+  };
+  const auto add = [&](Part& part, std::size_t k) {
+    const double p = answer.p()[k];
+    if (p == 0) return;
+    const double fits = answer.product[k] + problem.surface.height(answer.point(k));
+    if (p >= problem.system.hardness) {
+      part.least = std::max(part.least, fits);
+      return;
+    }
+    part.sum += p;
+    part.moment += p * fits;
+  };
+  const auto [sum, moment, least] = problem.surface.sum_over<Part>(
+      answer.size(), [](std::size_t k) { return k; }, add);
+  return sum > 0 ? moment / sum : least > -infinite ? least : 0;
+}
+
+namespace {
+
+Overlap overlap_of(const GridProblem& problem, const Deflected& found, double compression) {
+  Overlap result;
+  if (!problem.system.capped()) return result;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const std::size_t i = found.point(k);
+    if (!(found.p()[k] >= problem.system.hardness) || !problem.surface.included(i)) continue;
+    const double depth = plastic_depth(found.product[k], compression, problem.surface.height(i));
+    if (!(depth > 0)) continue;
+    result.point.push_back(static_cast<std::int64_t>(i));
+    result.depth.push_back(depth);
+  }
+  return result;
+}
+
+}  // namespace
+
+Finished certified_result(const GridProblem& problem, const Step& step, Answer&& answer, Attempt& attempt,
+                          const Outputs& outputs) {
+  Stiffness rate = wanted_stiffness(problem, answer);
+  Deflected found = deflected(problem, answer, outputs.gap.wanted());
+  // After a stop the approach is made to fit the pressures, but not where points were screened: that holds for one approach.
+  const bool by_load = step.target.by_load(), stopped = by_load && answer.status != RC_OK && !answer.checked;
+  const double without = by_load ? 0 : step.target.compression(problem.surface);
+  const double depth = !answer.op ? without : stopped ? fitting_compression(problem, found) : answer.compression;
+  Overlap overlap = overlap_of(problem, found, depth);
+  Numbers numbers = finished(problem, step, answer, found, depth, std::move(rate), attempt, outputs);
+  return {std::move(numbers), std::move(found.pressures), std::move(overlap), std::move(answer.history.own)};
+}
+
+Deflected deflection(const GridProblem& problem, const TrialSet& trial, std::vector<double> p, Answer& by,
+                     const Attempt& attempt) {
+  by = answer_in(1, choose_for(problem, trial, RC_CONTROL_APPROACH, attempt.failed, false), problem.system);
+  const std::string& certifier = problem.options.text(RC_OPT_CERTIFY_BACKEND);
+  if (!certifier.empty()) by.choice.backend = &certifying_backend(certifier, problem.options, problem.system);
+  by.op = &problem.operators().bound(*by.choice.backend, trial);
+  for (std::int64_t i = 0; i < trial.n; ++i) by.p.push_back(p[static_cast<std::size_t>(trial.point(i))]);
+  Deflected result{{{problem.own_points(), {}}, std::move(p)}, {}};
+  problem.company().on_all([&] { result.product.resize(result.size()); });
+  by.op->field(by.p, result.product);
+  for (double& value : result.product) value *= problem.system.length_per_pressure;
+  return result;
+}
+
+Finished certify_given(const GridProblem& problem, const Step& step, Attempt& attempt, const Outputs& outputs,
+                       std::optional<double> compression) {
+  const Company& company = problem.company();
+  TrialSet trial;
+  Deflected given{{{problem.own_points(), {}}, {}}, {}};
+  std::vector<double>& p = given.pressures.p;
+  company.on_all([&] {
+    p.resize(static_cast<std::size_t>(problem.own_points()));
+    for (std::size_t i = 0; i < p.size(); ++i) p[i] = outputs.p.at(i);
+    for (std::size_t i = 0; i < p.size(); ++i)
+      if (p[i] != 0) trial.index.push_back(static_cast<std::int64_t>(i));
+    trial.n = static_cast<std::int64_t>(trial.index.size());
+    given.product.assign(p.size(), 0.0);
+  });
+  Answer answer;
+  if (company.any(trial.n > 0))
+    given = deflection(problem, all_if_kept(std::move(trial), problem), std::move(p), answer, attempt);
+  const double depth = !step.target.by_load() ? step.target.compression(problem.surface)
+                       : compression          ? *compression
+                                              : fitting_compression(problem, given);
+  Numbers numbers = finished(problem, step, answer, given, depth, std::nullopt, attempt, outputs);
+  copy_text(numbers.solver, "none");
+  return {.numbers = std::move(numbers), .overlap = overlap_of(problem, given, depth)};
+}
+
+}  // namespace rc

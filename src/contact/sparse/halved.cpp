@@ -1,0 +1,75 @@
+#include "contact/sparse/halved.h"
+
+#include <functional>
+#include <roughcontact/plugin.hpp>
+#include <utility>
+
+#include "contact/operators.h"
+
+namespace rc {
+
+CoarseGrid halved(const GridProblem& finer, int halvings) {
+  return downsample(finer.system.given.nx, finer.system.given.ny, finer.surface.gap(), finer.surface.masks(), halvings,
+                    [&](std::int64_t rows, const std::function<void(std::int64_t)>& act) {
+                      roughcontact::for_each(finer.team(), rows, true, [&](std::int64_t row, std::int64_t) { act(row); });
+                    });
+}
+
+StepSurface borrowed(const CoarseGrid& grid, const rc_team& team) {
+  return StepSurface({grid.nx, grid.ny, grid.gap, grid.mask, true}, team);
+}
+
+rc_system coarser_system(const rc_system& fine, std::int64_t nx, std::int64_t ny, std::int64_t factor) {
+  rc_system system = fine;
+  system.nx = nx;
+  system.ny = ny;
+  system.hx *= static_cast<double>(factor);
+  system.hy *= static_cast<double>(factor);
+  return system;
+}
+
+rc_system halved_system(const rc_system& fine, int halvings) {
+  const std::int64_t side = std::int64_t{1} << halvings;
+  return coarser_system(fine, (fine.nx + side - 1) / side, (fine.ny + side - 1) / side, side);
+}
+
+rc_options coarse_options(const rc_options& fine, const Monitor& monitor) {
+  rc_options options = fine;
+  options.set(RC_OPT_BOUNDS, std::int64_t{0});
+  options.set(RC_OPT_TIME_LIMIT, monitor.time_left());
+  return options;
+}
+
+HalvedProblem::HalvedProblem(const GridProblem& finer, const rc_options& options, int halvings)
+    : problem_(halved_system(finer.system.given, halvings), options, &finer.team(), finer.company()),
+      coarse_(finer.coarse->another()) {
+  problem_.coarse = coarse_.get();
+  if (const GatheredTiles* const tiles = finer.surface.tiles()) {
+    halve_rows(finer, tiles->shared());
+    return;
+  }
+  surface_ = halved(finer, halvings);
+  problem_.surface = borrowed(surface_, finer.team());
+}
+
+void HalvedProblem::halve_rows(const GridProblem& finer, const StepSurface& rows) {
+  constexpr std::int64_t most_gathered = 512 * 512;  // points
+  const Company &company = rows.company(), half = company.halved();
+  surface_ = downsample(rows.nx(), company.own_rows(0), rows.gap(), rows.masks(), Filter::mean);
+  const std::int64_t ny = half.all_rows(0);
+  if (surface_.nx * ny >= most_gathered && company.halvings() > 1) {
+    rows_ = StepSurface({surface_.nx, surface_.ny, surface_.gap, surface_.mask, true}, finer.team(), half);
+    if (finer.operators().multiply_by_rows()) {
+      multiplies_ = std::make_unique<GridProblem>(problem_.system.given, problem_.options, &finer.team(), half);
+      problem_.operators().multiply_by(multiplies_->operators());
+    }
+    problem_.surface = StepSurface(rows_, finer.team());
+    return;
+  }
+  surface_.gap = company.joined(std::move(surface_.gap));
+  surface_.mask = company.joined(std::move(surface_.mask));
+  surface_.ny = ny;
+  problem_.surface = borrowed(surface_, finer.team());
+}
+
+}  // namespace rc

@@ -1,0 +1,48 @@
+// The unknowns of sparse contact: in tiles or at single points.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "contact/problem.h"
+
+namespace rc {
+
+// Where the unknowns are: in tiles or at points, whose numbers are ascending.
+class Region {
+ public:
+  Region(const GridProblem& problem, bool of_tiles)
+      : surface_(problem.surface), nx_(problem.system.given.nx), of_tiles_(of_tiles) {}
+
+  // Returns whether any of the points is new to it.
+  bool add(const std::vector<std::int64_t>& points) {
+    const std::size_t before = members_.size();
+    for (const std::int64_t point : points) {
+      const std::int64_t member = of_tiles_ ? tile_of(point) : point;
+      if (members_.empty() || members_.back() != member) members_.push_back(member);
+    }
+    std::sort(members_.begin(), members_.end());
+    members_.erase(std::unique(members_.begin(), members_.end()), members_.end());
+    return members_.size() > before;
+  }
+
+  // Of its tiles, the points with a gap below the limit.
+  TrialSet below(double limit) const {
+    if (of_tiles_) return surface_.below(limit, members_);
+    return {static_cast<std::int64_t>(members_.size()), members_};
+  }
+  bool of_tiles() const { return of_tiles_; }
+
+ private:
+  std::int64_t tile_of(std::int64_t point) const {
+    return point / nx_ / StepSurface::tile * surface_.tiles_x() + point % nx_ / StepSurface::tile;
+  }
+
+  const StepSurface& surface_;
+  const std::int64_t nx_;
+  const bool of_tiles_;
+  std::vector<std::int64_t> members_;
+};
+
+}  // namespace rc

@@ -1,0 +1,139 @@
+#include "contact/step/sparse_by_rows.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+#include "contact/operators.h"
+#include "contact/proof/plausibility.h"
+#include "contact/proof/survey.h"
+#include "contact/sparse/screening.h"
+#include "contact/step/sparse_contact.h"
+
+namespace rc {
+
+namespace {
+
+// Whether all processes have the same components for it: one may lack a plugin.
+bool all_can(const GridProblem& problem, const Step& step) {
+  struct Names {
+    char solver[64] = "", backend[64] = "";
+  } mine;
+  const bool by_rows = problem.system.periodic();
+  if (const std::optional<Choice> choice = choose_for_few(problem.options, problem.system, step.target.control, by_rows);
+      choice && (by_rows || screens(*choice))) {
+    std::snprintf(mine.solver, sizeof mine.solver, "%s", choice->solver->name);
+    std::snprintf(mine.backend, sizeof mine.backend, "%s", choice->backend->name);
+  }
+  const std::vector<Names> all = problem.company().of_each(mine);
+  return all.front().solver[0] != 0 && std::all_of(all.begin(), all.end(), [&](const Names& each) {
+           return std::string(each.solver) == all.front().solver && std::string(each.backend) == all.front().backend;
+         });
+}
+
+std::int64_t contacts_of(const CertifiedStep& last, const GridProblem& problem) {
+  const std::vector<double>& p = last.pressures.p;
+  return problem.surface.united(
+      static_cast<std::int64_t>(std::count_if(p.begin(), p.end(), [](double each) { return each > 0; })));
+}
+
+// The last step of all processes, whose pressures are few.
+CertifiedStep gathered(const CertifiedStep& last, const GridProblem& problem) {
+  const std::int64_t before = problem.surface.first_row() * problem.system.given.nx;
+  const Pressures positive = last.pressures.positive(problem.team());
+  std::vector<std::int64_t> mine(positive.p.size());
+  for (std::size_t k = 0; k < mine.size(); ++k) mine[k] = positive.on.point(static_cast<std::int64_t>(k)) + before;
+  CertifiedStep all{{}, last.approach, last.load, last.same_gap};
+  all.pressures.on.index = problem.company().joined(std::move(mine));
+  all.pressures.p = problem.company().joined(positive.p);
+  all.pressures.on.n = static_cast<std::int64_t>(all.pressures.p.size());
+  return all;
+}
+
+// What this process has of entries at points of the whole grid, in ascending order.
+template <class Take> void each_own(const GridProblem& problem, std::size_t n, const auto& point, const Take& take) {
+  const std::int64_t before = problem.surface.first_row() * problem.system.given.nx, end = before + problem.own_points();
+  for (std::size_t k = 0; k < n; ++k)
+    if (point(k) >= before && point(k) < end) take(point(k) - before, k);
+}
+
+// The deformed gap at all points of the rows, by one product that all make together; returns its mean.
+double write_gap(const GridProblem& problem, const Finished& mine, const Attempt& attempt, const Outputs& outputs) {
+  std::vector<double> p;
+  problem.company().on_all([&] {
+    p.resize(static_cast<std::size_t>(problem.own_points()));
+    mine.pressures.write(p.data(), problem.own_points(), problem.team());
+  });
+  Answer by;
+  const Deflected found = deflection(problem, {problem.own_points(), {}}, std::move(p), by, attempt);
+  const double compression = mine.numbers.approach - problem.surface.lowest();
+  write_arrays(problem, found, compression, outputs);
+  return mean_gap(problem, survey(problem.surface, compression, found), mine.numbers.totals.overlap);
+}
+
+}  // namespace
+
+std::optional<Finished> sparse_by_rows(const GridProblem& problem, const Memory& memory, const Step& step, Attempt& attempt,
+                                       const Outputs& outputs) {
+  const Company& company = problem.company();
+  if (!company.keeps_all_points() || step.p0 || !all_can(problem, step)) return std::nullopt;
+  const rc_system& system = problem.system.given;
+  const std::int64_t contacts = step.warm ? contacts_of(memory.last, problem) : 0;
+  const double before = step.target.by_load() ? memory.last.load : memory.last.approach;
+  const auto sparse = [&](std::int64_t n) { return few(n, problem.system.points(), problem.system.periodic()); };
+  const bool older_sparse = step.warm && sparse(contacts_of(memory.before, problem));
+  if (contacts > 0 && !sparse(contacts) && memory.last.same_gap && step.target.value >= before) return std::nullopt;  // denser
+  std::optional<double>& tilt = problem.facts.tilt;
+  if (!tilt) tilt = plane_share(problem.surface, system.nx, system.ny, problem.system.periodic());
+
+  std::optional<Finished> finished;
+  std::unique_ptr<CoarseGrids> coarse;
+  std::unique_ptr<GridProblem> all;
+  company.together([&] {
+    all = std::make_unique<GridProblem>(system, problem.options, &problem.team(), company.made_alike());
+    coarse = problem.coarse->another();
+    all->coarse = coarse.get();
+    all->facts.tilt = tilt;
+    if (problem.system.periodic()) all->operators().multiply_by(problem.operators());
+    all->surface = StepSurface(problem.surface, problem.team());
+    Memory known;
+    if (sparse(contacts)) known.last = gathered(memory.last, problem);
+    if (older_sparse) known.before = gathered(memory.before, problem);
+    std::optional<Estimate> none;
+    Attempt here{attempt.monitor};
+    here.warm = attempt.warm;
+    if (std::optional<Answer> answer = sparse_contact(*all, known, step, here, none)) {
+      finished = certified_result(*all, step, std::move(*answer), here, {});
+      attempt.choice = here.choice;
+    }
+  });
+  if (!finished || finished->numbers.status == RC_STOP_STALLED || finished->numbers.status == RC_UNCERTIFIED) return std::nullopt;
+
+  Finished mine{.numbers = std::move(finished->numbers)};
+  company.on_all([&] {
+    const Pressures& p = finished->pressures;
+    each_own(
+        problem, p.p.size(), [&](std::size_t k) { return p.on.point(static_cast<std::int64_t>(k)); },
+        [&](std::int64_t point, std::size_t k) {
+          mine.pressures.on.index.push_back(point);
+          mine.pressures.p.push_back(p.p[k]);
+        });
+    mine.pressures.on.n = static_cast<std::int64_t>(mine.pressures.p.size());
+    if (mine.pressures.on.n == problem.own_points()) mine.pressures.on.index.clear();
+    const Overlap& overlap = finished->overlap;
+    each_own(
+        problem, overlap.point.size(), [&](std::size_t k) { return overlap.point[k]; },
+        [&](std::int64_t point, std::size_t k) {
+          mine.overlap.point.push_back(point);
+          mine.overlap.depth.push_back(overlap.depth[k]);
+        });
+  });
+  if (outputs.gap.wanted())
+    mine.numbers.mean_gap = write_gap(problem, mine, attempt, outputs);
+  else
+    mine.pressures.write(outputs.p, problem.own_points(), problem.team());
+  return mine;
+}
+
+}  // namespace rc

@@ -1,0 +1,19 @@
+// Solves steps whose contact is far sparser than the grid.
+#pragma once
+
+#include <optional>
+
+#include "contact/answer.h"
+#include "contact/attempt.h"
+#include "contact/memory/memory.h"
+#include "contact/problem.h"
+#include "contact/target.h"
+
+namespace rc {
+
+// Nothing if contact is not sparse, or the options leave no backend that screens. estimate: that of a coarser grid, or
+// nothing; a step that starts from nothing then gets what a coarser grid told before it gave up.
+std::optional<Answer> sparse_contact(const GridProblem& problem, const Memory& memory, const Step& step, Attempt& attempt,
+                                     std::optional<Estimate>& estimate);
+
+}  // namespace rc

@@ -1,0 +1,79 @@
+#include "contact/target.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/problem.h"
+#include "core/certificate_terms.h"
+#include "core/error.h"
+
+namespace rc {
+
+namespace {
+
+constexpr double least_depth = 1e-30;  // over the gap's range; periodic solvers work on all points, in single precision too
+
+}  // namespace
+
+void check(const Step& step, const GridProblem& problem, const StepSurface& surface) {
+  const System& system = problem.system;
+  const double target = step.target.value;
+  const bool by_load = step.target.by_load(), by_approach = step.target.control == RC_CONTROL_APPROACH;
+  if (!by_load && !by_approach)
+    fail(RC_ERR_ARGUMENT, "rc_step.control = ", step.target.control,
+         " is neither RC_CONTROL_APPROACH (1) nor RC_CONTROL_LOAD (2)");
+  if (!std::isfinite(target)) fail(RC_ERR_ARGUMENT, "rc_step.target = ", target, " is not finite");
+  if (by_load && target < 0)
+    fail(RC_ERR_INFEASIBLE, "load = ", target, " is negative; a contact without adhesion cannot pull, the smallest load is 0");
+  if (by_load && target > 0 && surface.included_points() == 0)
+    fail(RC_ERR_INFEASIBLE, "load = ", target, " but every point is excluded by the mask");
+  const double most = system.hardness * system.cell_area() * static_cast<double>(surface.included_points());
+  if (by_load && target > most * (1 + 8 * std::numeric_limits<double>::epsilon()))
+    fail(RC_ERR_INFEASIBLE, "load = ", target, " is more than hardness times the area of the ", surface.included_points(),
+         " points that may carry pressure, ", most, "; prescribe less load, or allow more points");
+  const double depth = target - surface.lowest();
+  if (by_approach && !system.capped() && system.periodic() && surface.whole() && beyond_mean_plane(depth, surface.mean_height()))
+    fail(RC_ERR_INFEASIBLE, "approach = ", target, " reaches the mean plane of the gap, ", surface.mean(),
+         ": with periodic boundaries the load is not determined there; prescribe the load");
+  if (by_approach && system.periodic() && depth > 0 && depth < least_depth * surface.range())
+    fail(RC_ERR_ARGUMENT, "approach = ", target, " is above the lowest gap by ", depth, ", less than ", least_depth,
+         " of the gap's range, ", surface.range(), "; check the units, or prescribe the load");
+  if (surface.included_points() > 0 &&
+      !(std::isfinite(surface.highest() - surface.lowest()) && (by_load || std::isfinite(depth))))
+    fail(RC_ERR_ARGUMENT, "the gap's range, ", surface.lowest(), " .. ", surface.highest(), ", and the target ", target,
+         " are too far apart for double precision");
+  problem.company().on_all([&] {
+    for (std::int64_t i = 0; step.p0 && i < problem.own_points(); ++i)
+      if (!std::isfinite(step.p0[i])) fail(RC_ERR_ARGUMENT, "rc_step.p0[", i, "] = ", step.p0[i], " is not finite");
+  });
+}
+
+bool Target::touches(const StepSurface& surface) const {
+  if (surface.included_points() == 0) return false;
+  return by_load() ? value != 0 : value > surface.lowest();
+}
+
+double Target::compression(const StepSurface& surface) const {
+  return surface.included_points() > 0 ? value - surface.lowest() : 0;
+}
+
+// The scale follows from the problem alone: an answer must not set the scale that it is judged by. Periodic, load control: in
+// full contact the compression may vanish under any load. The scale is then at least a quarter of mean pressure times
+// length_per_pressure, or what the kernel deflects a cell by if that is less; the library's kernels deflect it by more, if it is
+// up to 100 times as long as wide. Periodic, approach control: gaps under pressure as large as the mean gap would leave the
+// load open, so tol times the scale is half of it at most.
+double residual_scale(const Target& target, const GridProblem& problem, double compression) {
+  const System& system = problem.system;
+  const double mean_pressure = target.value / system.cell_area() / static_cast<double>(system.points());
+  return residual_scale(
+      {.periodic = system.periodic(),
+       .by_load = target.by_load(),
+       .whole = problem.surface.whole(),
+       .deflected = system.least_deflection * system.length_per_pressure * mean_pressure,
+       .mean_height = system.periodic() && !target.by_load() ? problem.surface.mean_height() : 0,  // a pass over the surface
+       .tol = problem.options.real(RC_OPT_TOL)},
+      compression);
+}
+
+}  // namespace rc
