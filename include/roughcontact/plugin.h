@@ -86,7 +86,7 @@ struct rc_rows {
   size_t struct_size;
   int64_t rank, ranks;  /* 0 <= rank < ranks                                                                   */
   const int64_t *first; /* [ranks + 1] rank r has the rows first[r] .. first[r+1] - 1; first[ranks] = ny        */
-  /** sent[r] bytes to each rank, one after the other in `from`; received[r] bytes from each, likewise into `into`. */
+  /** Rank r gets sent[r] bytes of `from`, and gives received[r] bytes of `into`; the parts lie in the order of ranks. */
   void (*transpose)(const rc_rows *, const void *from, const int64_t *sent, void *into, const int64_t *received);
   /** The parts of all ranks, in their order: bytes[r] of rank r [ranks]. */
   void (*gather)(const rc_rows *, const void *mine, const int64_t *bytes, void *all);
@@ -119,8 +119,8 @@ typedef struct rc_domain {
   double zero_mode;     /* periodic: eigenvalue of H for the constant vector. 0: the mean plane is the datum   */
 } rc_domain;
 
-/* What a backend can do (rc_backend.caps). A function's bit without the function, or the reverse, fails registration; in C++
- * roughcontact::backend sets these bits. */
+/* Capabilities of a backend (rc_backend.caps). Some bits stand for an optional function: registration fails if a bit is set and
+ * its function is NULL, or the reverse. In C++ roughcontact::backend sets these bits. */
 /* Systems; at least one of the first four */
 #define RC_CAP_FREE (UINT64_C(1) << 0)        /* half-space grids with free boundaries                         */
 #define RC_CAP_PERIODIC (UINT64_C(1) << 1)    /* half-space grids with periodic boundaries                     */
@@ -176,7 +176,7 @@ typedef struct rc_facts {
   int32_t reserved;
 } rc_facts;
 
-/** What it would cost, on one thread. Zero if nothing is written. */
+/** An estimate of cost on one thread. The library sets all members to zero before it asks. */
 struct rc_estimate {
   size_t struct_size;
   double seconds; /* backend: to make the operator; solver: for the step, the operator's making and work included */
@@ -212,8 +212,8 @@ typedef struct rc_backend {
   int64_t (*modelled)(void *self);
 
   /* Choice, optional */
-  /** What "auto" compares; from counts, never from clocks. NULL: after all that have one. A status other than RC_OK, with
-   *  facts->host->fail and the reason: not for this step, unless it is named. */
+  /** The estimate that "auto" compares: from counts, never from clocks. "auto" takes backends without one last. A status other
+   *  than RC_OK (set the reason by facts->host->fail) refuses this step; a backend that the caller names is then taken anyway. */
   rc_status (*score)(const rc_facts *, rc_estimate *);
 
   /* Products, optional */
@@ -289,10 +289,10 @@ typedef struct rc_coarse {
 typedef struct rc_kept_steps rc_kept_steps;
 struct rc_kept_steps {
   size_t struct_size;
-  /* What this solver kept of the last step, NULL if the start is not made of that, and of the one before it. NULL: nothing.
-     If `last` is not NULL, p is min(max(0, (a + ahead*(a - b)) / pressure), cap) with a point's pressures a and b in these
-     steps; b plays no part if ahead is 0. p has these values in any case. The solver may drop what it kept, and no later
-     step starts from `before`: its memory is free for use                                                              */
+  /* The objects that this solver kept of the last step and of the step before it; NULL: none. `last` is NULL, too, if the start
+     is not made of the last step. If `last` is not NULL, p is min(max(0, (a + ahead*(a - b)) / pressure), cap) with a point's
+     pressures a and b in these steps; b plays no part if ahead is 0. p has these values in any case. The solver may drop what it
+     kept, and no later step starts from `before`: its memory is free for use                                          */
   void *last, *before;
   double ahead;
   double hardness; /* [force/length^2] pressure of a point with p = cap, others have p*rc_problem.pressure; INFINITY: none */
@@ -420,8 +420,8 @@ struct rc_many {
   int64_t done;         /* contacts 0 .. done-1 have answers, at least one; the others are asked for again     */
 };
 
-/* What a solver needs, and what it can do (rc_solver.needs). RC_CAP_SUBSET and RC_CAP_SHIFTED are needs, too; if the backend has
- * no such function, the core's fallbacks serve. */
+/* Needs and abilities of a solver (rc_solver.needs). RC_CAP_SUBSET and RC_CAP_SHIFTED are needs, too: if the backend lacks the
+ * function, the library solves by conjugate gradients instead. */
 #define RC_NEEDS_GRID (UINT64_C(1) << 32) /* a half-space grid, not the caller's matrix or product              */
 #define RC_WANTS_BOX (UINT64_C(1) << 33)  /* every point of a box as an unknown is handier than most of them    */
 #define RC_READS_GAP (UINT64_C(1) << 34)  /* rc_problem.u may be NULL if there is a grid: the solver works with

@@ -21,7 +21,7 @@ typedef struct rc_exchange {
   void *user;          /* handed to the functions                                                                    */
   /** What all ranks have, in the order of ranks: bytes[r] of rank r [ranks]. `mine` may be its place in `all`. */
   const char *(*gather)(void *user, const void *mine, const int64_t *bytes, void *all);
-  /** sent[r] bytes to each rank, one after the other in `from`; received[r] bytes from each, likewise into `into`. */
+  /** Rank r gets sent[r] bytes of `from`, and gives received[r] bytes of `into`; the parts lie in the order of ranks. */
   const char *(*transpose)(void *user, const void *from, const int64_t *sent, void *into, const int64_t *received);
   /** `sent` bytes to rank `to` and `received` bytes from rank `source`; -1: none. */
   const char *(*shift)(void *user, int64_t to, const void *from, int64_t sent, int64_t source, void *into, int64_t received);

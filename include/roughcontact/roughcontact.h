@@ -185,7 +185,7 @@ typedef struct rc_system {
 typedef struct rc_step {
   size_t struct_size;  /* sizeof(rc_step)                                                                            */
 
-  /* What the step prescribes, and where it starts */
+  /* Target and start */
   int32_t control;     /* RC_CONTROL_*                                                                               */
   int32_t warm_start;  /* 1: start from this contact's last pressures (default); 0: start cold (factors that a
                           backend keeps still serve: equal to round-off, after rc_contact_reset bitwise)             */
@@ -252,7 +252,7 @@ typedef struct rc_result {
   double kkt_control;  /* |load - W| / W, 0 in approach control                                                  */
   double tolerance;    /* the kkt_* residuals were held to: tol, or accuracy/100 (area: /1000) if larger             */
 
-  /* What is proven */
+  /* Proof: intervals of the exact answer */
   double duality_gap;  /* energy - least energy is at most this [force length], see docs/certificate.md;
                           this and the bounds below: NaN (counts: -1) where no proof is known, option bounds is
                           0 or accuracy is set. Full periodic contact: NaN, and intervals that exclude nothing       */

@@ -10,11 +10,11 @@
 
 namespace rc {
 
-// For rc_result.note.
+// The remarks of rc_result.note.
 class Remarks {
  public:
   void add(std::string text) { all_.push_back(std::move(text)); }
-  // Instead of an earlier one that has the same words before its colon.
+  // Drops an earlier remark that has the same words before its colon.
   void replace(const std::string& text) {
     const std::string from = text.substr(0, text.find(':'));
     std::erase_if(all_, [&](const std::string& each) { return each.substr(0, each.find(':')) == from; });
@@ -35,7 +35,7 @@ struct Attempt {
   Remarks remarks = {};
 };
 
-// What a step leaves for the calls that follow it.
+// Facts of a step that later calls ask for: its explanation and its derivatives.
 struct StepOutcome {
   Choice choice = {};
   std::vector<std::string> failed = {};  // components that "auto" passed over

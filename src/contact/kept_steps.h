@@ -1,4 +1,4 @@
-// What a solver keeps of a history's answers where it works, such as pressures on a device.
+// Objects that a solver keeps of a history's answers, such as pressures on a device.
 #pragma once
 
 #include <roughcontact/plugin.h>
@@ -14,7 +14,7 @@ struct KeptAnswer {
   void* of(const rc_solver& solver) const { return by == &solver ? object.get() : nullptr; }
 };
 
-// What a start was made of; last is none where that was something else. own: what the solver kept of the answer.
+// The kept answers that a start was made of; last is none if it was made of something else. own: kept of the new answer.
 struct KeptSteps {
   KeptAnswer last, before;
   double ahead = 0;

@@ -10,7 +10,7 @@
 
 namespace rc {
 
-// What operators have spent since they were made.
+// Products and seconds of operators since they were made.
 struct Spent {
   std::int64_t products = 0;
   double setup_seconds = 0;

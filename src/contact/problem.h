@@ -1,4 +1,4 @@
-// What a step may read: the system, the options and the surface of one grid, and with whom it is solved. Operators are made on
+// A step reads this: the system, the options and the surface of one grid, and the company that solves it. Operators are made on
 // demand beside it.
 #pragma once
 

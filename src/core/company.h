@@ -1,6 +1,6 @@
 // With whom a process solves a contact. Alone it has every point of the grid. By rows several processes share the grid: each has
 // the points of its rows, all of them are unknowns, and all processes call the same functions. Alike each has every point and
-// does what the others do; they agree on stops. Where a process is alone, each function below is the plain action.
+// does what the others do; they agree on stops. If a process is alone, each function below is the plain action.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,7 @@ class Company {
     return company;
   }
 
-  // What follows from sharing rows. Points without pressure stay unknowns.
+  // By rows points without pressure stay unknowns.
   bool keeps_all_points() const { return rows_ != nullptr; }
   // Systems on subsets, solvers inside solvers, and answers that solvers keep for the next step need every point here.
   bool has_all_points() const { return rows_ == nullptr; }
@@ -40,6 +40,12 @@ class Company {
   // Clocks of several processes differ: they stop together, between iterations.
   bool stops_between_products() const { return !alike_; }
 
+  // The rows as a component sees them, in `room`, which must outlive its use; null: this process has all rows.
+  const rc_rows* shown_in(SharedRows& room) const {
+    if (!rows_) return nullptr;
+    room = SharedRows(*rows_);
+    return &room;
+  }
   const Ranks* rows() const { return rows_.get(); }  // for components that work on rows; null: this process has them all
   std::int64_t own_rows(std::int64_t ny) const { return rows_ ? rows_->rows() : ny; }
   std::int64_t all_rows(std::int64_t ny) const { return rows_ ? rows_->all_rows() : ny; }
@@ -47,7 +53,7 @@ class Company {
   std::int64_t first_row_of(std::int64_t process) const { return rows_->first()[static_cast<std::size_t>(process)]; }  // by rows
   std::int64_t size() const { return rows_ ? rows_->size() : 1; }
   std::int64_t self() const { return rows_ ? rows_->rank() : 0; }
-  int halvings() const { return rows_ ? rows_->halvings() : 0; }  // of the rows, until each process has whole pieces of one row
+  int halvings() const { return rows_ ? rows_->halvings() : 0; }  // how often a piece of rows can be halved
   Chunks chunks(std::int64_t nx) const { return Chunks::of(rows_.get(), nx); }
 
   // An action that may throw, and fails everywhere if it fails in one process.
@@ -110,7 +116,7 @@ class Company {
   }
   // Once an iteration, with what this process's monitor says. Returns what holds for all.
   rc_status agreed(rc_status mine) const;
-  // Before a product: the stop that all have agreed on; nothing where this process decides by itself.
+  // Before a product: the stop that all have agreed on; nothing if this process decides by itself.
   std::optional<rc_status> stop() const {
     if (rows_) return rows_->stop();
     return stops_between_products() ? std::nullopt : std::optional<rc_status>(RC_OK);

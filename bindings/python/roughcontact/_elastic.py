@@ -14,7 +14,7 @@ Constant = Union[float, Sequence[float]]
 def refuse_text(**given: Any) -> None:
     for name, value in given.items():
         if isinstance(value, str):
-            raise ArgumentError(f"{name} = {value!r} is a text; a number is expected, as 3e9 for 3 GPa where lengths are in m")
+            raise ArgumentError(f"{name} = {value!r} is a text; give a number, such as 3e9 for 3 GPa if lengths are in m")
 
 
 def modulus_of(modulus: Optional[float], E: Optional[Constant], nu: Optional[Constant]) -> Optional[float]:

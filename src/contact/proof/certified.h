@@ -36,8 +36,8 @@ Deflected deflected(const GridProblem& problem, Answer& answer, bool everywhere)
 // and the operator.
 Deflected deflection(const GridProblem& problem, const TrialSet& trial, std::vector<double> p, Answer& by,
                      const Attempt& attempt);
-// The compression at which the mean of the gap, weighted by the pressures, vanishes where these are below the hardness; where
-// none is, the least at which all points with pressure touch.
+// The compression at which the mean of the gap, weighted by the pressures, vanishes, over points below the hardness; if
+// there are none, the least at which all points with pressure touch.
 double fitting_compression(const GridProblem& problem, const Deflected& answer);
 // Certificate, bounds and all that follows from pressures, product and stiffness. The status is RC_OK or RC_UNCERTIFIED. proven:
 // null, or what an interval of the stiffness needs.

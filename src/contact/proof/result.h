@@ -1,5 +1,4 @@
-// Turns an answer on a trial set into a certified result. What is said of a step is in Numbers; the caller's arrays are apart
-// from it.
+// All that is said of a step, and the one writer of rc_result. The caller's arrays are apart from it.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +24,7 @@ struct Totals {
   Totals operator+(const Totals& b) const;
 };
 
-// What a step cost.
+// The cost of a step.
 struct Work {
   std::int64_t iterations = 0, products = 0, levels = 0;
   double seconds = 0, setup_seconds = 0;

@@ -1,4 +1,4 @@
-// A look at all points of the grid for overlap, where only few of them are unknowns.
+// A look at all points of the grid for overlap, if only few of them are unknowns.
 #pragma once
 
 #include "contact/answer.h"

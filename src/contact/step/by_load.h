@@ -11,7 +11,7 @@
 
 namespace rc {
 
-// estimate: what a coarser grid tells.
+// estimate: that of a coarser grid.
 Answer at_load(const GridProblem& problem, const Memory& memory, const Step& step, Attempt& attempt,
                std::optional<Estimate> estimate);
 

@@ -202,10 +202,7 @@ void connect(BoundProblem& problem) {
   problem.apply = apply;
   const Company& company = run.problem.company();
   const bool all_here = company.has_all_points();
-  if (const Ranks* const shared = company.rows()) {
-    problem.shared = SharedRows(*shared);
-    problem.rows = &problem.shared;
-  }
+  problem.rows = company.shown_in(problem.shared);
   problem.subset = all_here && (run.fallbacks || (caps & RC_CAP_SUBSET)) ? subset : nullptr;
   problem.poll = poll;
   problem.lambda_min = run.problem.system.lambda_min;

@@ -15,7 +15,7 @@ struct Solved {
   StepOutcome outcome;
 };
 
-// Sparse contact if it is; else the whole grid, by the prescribed approach or load. If a component fails that "auto" has chosen,
+// Tries sparse contact first, then the whole grid, by the prescribed approach or load. If a component that "auto" chose fails,
 // the next one takes over. nearer: the estimate of a coarser grid.
 Solved solve_step(const GridProblem& problem, const Memory& memory, const Step& step, Monitor& monitor, const Outputs& outputs,
                   const std::optional<Estimate>& nearer);

@@ -52,7 +52,7 @@ def test_a_misspelt_keyword_is_answered_by_the_right_one(rough, wrong, right):
 def test_numbers_with_units_are_the_commands(rough, wrong):
     name = next(iter(wrong))
     refused(
-        rc.ArgumentError, f"{name} = '{wrong[name]}' is a text; a number is expected", rc.solve, rough, **{**PRESS, **wrong}
+        rc.ArgumentError, f"{name} = '{wrong[name]}' is a text; give a number", rc.solve, rough, **{**PRESS, **wrong}
     )
 
 
