@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import roughcontact as rc
 from roughcontact import raw
+from roughcontact._arrays import given
 from roughcontact._errors import error_for
 from roughcontact.context import OptionSet
 from roughcontact.result import result_from
@@ -111,10 +112,8 @@ def cold_call(system, gap, options, control, target, pressure=None):
     struct, _ = system.struct()
     library, handle, step, answer = raw.contact_library(), ctypes.c_void_p(), raw.rc_step(), raw.rc_result()
     step.control, step.target, step.borrow = (raw.RC_CONTROL_LOAD if control == 'load' else raw.RC_CONTROL_APPROACH), target, 1
-    kind, single = (ctypes.c_float, '_single') if gap.dtype == np.float32 else (ctypes.c_double, '')
-    setattr(step, f'undeformed_gap{single}', gap.ctypes.data_as(ctypes.POINTER(kind)))
-    if pressure is not None:
-        setattr(answer, f'p{single}', pressure.ctypes.data_as(ctypes.POINTER(kind)))
+    given(step, undeformed_gap=gap)
+    given(answer, p=pressure)
     with OptionSet(options, None) as chosen:
         begun, cpu = time.perf_counter(), cpu_seconds()
         status = library.rc_contact_create(struct, chosen, handle)

@@ -87,7 +87,7 @@ def solve(n, control, tol, solver, backend, threads, runs):
     gap, load = gap_of(n, 1)
     pressure, step, result, times = np.zeros_like(gap), rc.raw.rc_step(), rc.raw.rc_result(), []
     step.control, step.target, step.borrow = rc.raw.RC_CONTROL_LOAD, load, 1
-    step.undeformed_gap, result.p = (array.ctypes.data_as(ctypes.POINTER(ctypes.c_double)) for array in (gap, pressure))
+    step.undeformed_gap.data, result.p.data = gap.ctypes.data, pressure.ctypes.data
     options = {'solver': solver, 'backend': backend, 'threads': threads, 'tol': tol}
     with rc.Contact(unit_square(n), options=options) as contact, contact._holding() as handle:
         for run in range(runs + (control == 'approach')):

@@ -38,7 +38,7 @@ int main(void) {
   system.hx = system.hy = h;
   system.modulus = 100e9;
   rc_gap_from_heights(N * N, z, NULL, gap);
-  step.undeformed_gap = gap;
+  step.undeformed_gap.data = gap;
   step.target = advice.approach;
   status = rc_options_create(NULL, &options);
   if (status == RC_OK) status = rc_options_set_text(options, RC_OPT_SOLVER, "cmr");

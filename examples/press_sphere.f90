@@ -21,7 +21,7 @@ program press_sphere
     end do
   end do
   system = rc_system(boundary=RC_BOUNDARY_FREE, nx=n, ny=n, hx=h, hy=h, modulus=230e9_c_double)
-  step = rc_step(control=RC_CONTROL_APPROACH, target=1e-6_c_double, undeformed_gap=c_loc(gap))
+  step = rc_step(control=RC_CONTROL_APPROACH, target=1e-6_c_double, undeformed_gap=rc_const_array(c_loc(gap)))
   backend = 'auto'
   if (command_argument_count() > 0) call get_command_argument(1, backend)
 

@@ -67,10 +67,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     system.hx = system.hy = system.modulus = 1;
     rc_step step = RC_STEP_INIT;
     step.control = RC_CONTROL_APPROACH;
-    step.undeformed_gap = gap;
+    step.undeformed_gap.data = gap;
     step.target = 0.6;
     rc_result result = RC_RESULT_INIT;
-    result.p = p;
+    result.p.data = p;
     const rc_status status = rc_solve(&system, &step, options, &result);
     fuzz::require(status >= 0 || p[0] == 7, "a failed call writes no pressure");
     fuzz::require(status != RC_ERR_INTERNAL, "no defect");

@@ -48,8 +48,8 @@ bool near(Real value, Real wanted, Real allowed) { return std::abs(value - wante
 
 Answer::Answer(std::size_t points) : p(points, std::bit_cast<double>(pattern)), gap(points, std::bit_cast<double>(pattern)) {
   result = RC_RESULT_INIT;
-  result.p = p.data();
-  result.gap = gap.data();
+  result.p.data = p.data();
+  result.gap.data = gap.data();
 }
 
 bool Answer::untouched() const {

@@ -76,10 +76,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   system.hx = system.hy = system.modulus = 1;
   rc_step step = RC_STEP_INIT;
   step.control = RC_CONTROL_APPROACH;
-  step.undeformed_gap = gap;
+  step.undeformed_gap.data = gap;
   step.target = 0.5;
   rc_result result = RC_RESULT_INIT;
-  result.p = p;
+  result.p.data = p;
   require(rc_solve(&system, &step, options, &result) == RC_ERR_PLUGIN, "a damaged plugin is refused");
   require(std::strstr(rc_last_error(), "rcb_x.so") != nullptr, "the message names the file");
   require(p[0] == 7, "a failed call writes no pressure");

@@ -145,7 +145,7 @@ void read_step(Bytes& bytes, const Scene& scene, const Last& last, bool keeps_ga
       if (value < lowest) lowest = value;
       if (std::isfinite(value)) mean += value / static_cast<double>(n);
     }
-    step.given.undeformed_gap = step.undeformed_gap.data();
+    step.given.undeformed_gap.data = step.undeformed_gap.data();
   }
   if ((flags & 32) != 0) {
     step.mask.resize(n);
@@ -153,13 +153,13 @@ void read_step(Bytes& bytes, const Scene& scene, const Last& last, bool keeps_ga
       const unsigned bits = bytes.byte();
       for (std::size_t k = i; k < std::min(i + 8, n); ++k) step.mask[k] = (bits >> (k - i) & 1) == 0;
     }
-    step.given.mask = step.mask.data();
+    step.given.mask.data = step.mask.data();
   }
   if ((flags & 64) != 0) {
     const double unit = magnitude(bytes);
     step.start.resize(n);
     for (double& value : step.start) value = unit * bytes.whole();
-    step.given.p0 = step.start.data();
+    step.given.p0.data = step.start.data();
   }
   const double part = bytes.whole() / 16.0 + bytes.byte() / 4096.0;
   const std::size_t from = bytes.below(8);

@@ -38,6 +38,10 @@ struct Step {
   std::vector<std::uint8_t> mask;
 };
 
+/** Arrays of a step of doubles, or null. */
+inline const double* gap_of(const rc_step& step) { return static_cast<const double*>(step.undeformed_gap.data); }
+inline const std::uint8_t* mask_of(const rc_step& step) { return static_cast<const std::uint8_t*>(step.mask.data); }
+
 void read_scene(Bytes& bytes, Scene& scene);
 
 /** `last`: the load and the approach of an answer before, which targets may be near. */

@@ -12,7 +12,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   fuzz::Answer answer(scene.points());
   answer.took(rc_solve(&scene.system, &step.given, options, &answer.result));
   scene.fails_at = 0;
-  fuzz::Oracle(scene).check({step.undeformed_gap.data(), step.given.mask, step.given.control, step.given.target}, answer);
+  fuzz::Oracle(scene).check({step.undeformed_gap.data(), fuzz::mask_of(step.given), step.given.control, step.given.target},
+                            answer);
   std::int64_t most = 0;
   if (answer.status >= 0 && rc_options_get_int(options, RC_OPT_MAX_ITER, &most) == RC_OK)
     fuzz::require(answer.result.iterations <= most, "no more iterations than max_iter");

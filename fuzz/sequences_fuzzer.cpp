@@ -22,8 +22,8 @@ constexpr std::int64_t history = 2;  // steps of a path
 // A result that a path or a batch shows, as an answer.
 void check_shown(const Oracle& oracle, Indentation& indentation, const Problem& problem, const rc_result& shown) {
   Answer answer(static_cast<std::size_t>(shown.points));
-  std::copy_n(shown.p, shown.points, answer.p.begin());
-  std::copy_n(shown.gap, shown.points, answer.gap.begin());
+  std::copy_n(static_cast<double*>(shown.p.data), shown.points, answer.p.begin());
+  std::copy_n(static_cast<double*>(shown.gap.data), shown.points, answer.gap.begin());
   answer.result = shown;
   answer.status = shown.status;
   answer.explained = shown.status != RC_OK && shown.status != RC_WITHIN_GOAL;
@@ -116,8 +116,8 @@ class Sequence {
 
   Problem problem_of(const rc_step& step) const {
     // A mask alone is a new mask for the gap of the step before. Without mask and gap both are those of the step before.
-    return {step.undeformed_gap ? step.undeformed_gap : gap_, step.mask || step.undeformed_gap ? step.mask : mask_, step.control,
-            step.target};
+    return {step.undeformed_gap.data ? fuzz::gap_of(step) : gap_,
+            step.mask.data || step.undeformed_gap.data ? fuzz::mask_of(step) : mask_, step.control, step.target};
   }
 
   // After a step that failed, at once or later, it is not known which gap the contact has.
@@ -183,8 +183,8 @@ class Sequence {
     path.warm_start = step.given.warm_start;
     path.n = history;
     path.targets = targets;
-    path.undeformed_gap = step.given.undeformed_gap;
-    path.mask = step.given.mask;
+    path.undeformed_gap = fuzz::gap_of(step.given);
+    path.mask = fuzz::mask_of(step.given);
     Shown shown{oracle_, problem, targets, {indentation_}};
     path.fn = of_path;
     path.user = &shown;
@@ -210,9 +210,9 @@ class Sequence {
     batch.targets = targets;
     batch.undeformed_gap = step.undeformed_gap.data();
     batch.undeformed_gap_stride = RC_BATCH_SHARED;
-    batch.mask = step.given.mask;
+    batch.mask = fuzz::mask_of(step.given);
     batch.mask_stride = RC_BATCH_SHARED;
-    const Problem problem{step.undeformed_gap.data(), step.given.mask, step.given.control, 0};
+    const Problem problem{step.undeformed_gap.data(), fuzz::mask_of(step.given), step.given.control, 0};
     Shown shown{oracle_, problem, targets, {2, Indentation(scene_)}};
     batch.fn = of_batch;
     batch.user = &shown;
@@ -279,7 +279,7 @@ class Sequence {
     Step& step = *steps_.back();
     fuzz::read_step(bytes_, scene_, {last_.load, last_.approach}, true, step);
     Problem problem = problem_of(step.given);
-    if (!step.given.undeformed_gap && !step.given.mask) problem.mask = last_problem_.mask;
+    if (!step.given.undeformed_gap.data && !step.given.mask.data) problem.mask = last_problem_.mask;
     Answer answer(scene_.points());
     answer.took(rc_contact_solve(other, &step.given, &answer.result));
     oracle_.check(indentation.seen(problem), answer);

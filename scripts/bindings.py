@@ -136,13 +136,15 @@ def fortran_signature(name: str, function: Function) -> str:
 
 def fortran_member(name: str, kind: Type, struct: Struct, interface: Interface) -> Tuple[Tuple[str, str], str]:
     """((declaration, remark), text)"""
-    function = interface.callback(kind)
+    function, known = interface.callback(kind), interface.known
     if name == "struct_size":
-        return ("integer(c_size_t)", ""), f"struct_size = merge({struct_size(struct)}, {struct_size(struct, 4)}, c_intptr_t == 8)"
+        return ("integer(c_size_t)", ""), f"struct_size = merge({struct_size(struct, known)}, {struct_size(struct, known, 4)}, c_intptr_t == 8)"
     if function:
         return ("type(c_funptr)", fortran_signature(name, function)), f"{name} = c_null_funptr"
     if kind.stars:
         return ("type(c_ptr)", c_words(kind)), f"{name} = c_null_ptr"
+    if kind.base in known:
+        return (f"type({kind.base})", ""), name
     extent, value = f"({kind.array})" if kind.array else "", fortran_number(struct.initial.get(name, "0"), kind)
     return (KINDS[kind.base], ""), f"{name}{extent} = {'c_null_char' if kind.base == 'char' else value}"
 
@@ -346,7 +348,7 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
         for struct in contact.structs()
         if struct.name in ("rc_result", "rc_accuracy")
         for name, kind in struct.members
-        if not kind.stars and name not in ("struct_size", "reserved")
+        if kind.base not in contact.known and not kind.stars and name not in ("struct_size", "reserved")
     ]
     return {
         f"{fortran}_constants.f90": fortran_module(

@@ -145,17 +145,20 @@ def read(headers: List[str], include: pathlib.Path, cc: str, before: Optional[In
     return found
 
 
-def size_of(kind: Type, address: int) -> Tuple[int, int]:
+def size_of(kind: Type, address: int, known: Dict[str, Union[Struct, Function]]) -> Tuple[int, int]:
     """(bytes, alignment) where addresses have so many bytes: 8, or 4, to which i686 aligns longer numbers, too."""
+    inner = known.get(kind.base)
+    if isinstance(inner, Struct) and not kind.stars:
+        return struct_size(inner, known, address), address
     sizes = {"int64_t": 8, "uint64_t": 8, "double": 8, "int32_t": 4, "uint32_t": 4, "float": 4}
     sizes.update({"rc_status": 4, "uint8_t": 1, "char": 1})  # others are size_t and names of functions
     size = address if kind.stars or kind.function else sizes.get(kind.base, address)
     return size * (kind.array or 1), min(size, address)
 
 
-def struct_size(struct: Struct, address: int = 8) -> int:
+def struct_size(struct: Struct, known: Dict[str, Union[Struct, Function]], address: int = 8) -> int:
     end = 0
     for _, kind in struct.members:
-        size, alignment = size_of(kind, address)
+        size, alignment = size_of(kind, address, known)
         end = -(-end // alignment) * alignment + size
     return -(-end // address) * address

@@ -64,7 +64,7 @@ const char* bench_time_products(const rc_system* system, const double* gap, doub
         made<rc_contact, rc_contact_destroy>([&](auto** out) { return rc_contact_create(system, options.get(), out); });
     rc_step step = RC_STEP_INIT;
     step.control = RC_CONTROL_APPROACH;
-    step.undeformed_gap = gap;
+    step.undeformed_gap.data = gap;
     step.target = approach;
     rc_result result = RC_RESULT_INIT;
     timed = {budget, single != 0, 0, {}};

@@ -121,9 +121,9 @@ int main(int argc, char** argv) {
   step.control = RC_CONTROL_LOAD;
   step.target =
       0.05 * slope; /* Bush, Gibson & Thomas (1975): area = sqrt(2 pi) p / (E* rms slope), a little less in full solutions */
-  step.undeformed_gap = gap;
+  step.undeformed_gap.data = gap;
   step.borrow = 1;
-  result.p = p;
+  result.p.data = p;
 
   MPI_Barrier(MPI_COMM_WORLD);
   const double cpu = cpu_seconds();

@@ -16,7 +16,7 @@ contains
   ! (itself a constant that linkers dislike) of
   !   integer(c_int32_t) function fn(step, result, user) bind(c)   ! nonzero: end the history
   !     integer(c_int64_t), value :: step                          ! from 0
-  !     type(rc_result), intent(in) :: result                      ! %p and %gap last until it returns
+  !     type(rc_result), intent(in) :: result                      ! %p%data and %gap%data last until it returns
   !     type(c_ptr), value :: user
   subroutine rcf_contact_solve_history(contact, approaches, loads, undeformed_gap, mask, warm_start, load, approach, contact_area, &
     stiffness, certificate, products, fn, user, completed, stat, errmsg)

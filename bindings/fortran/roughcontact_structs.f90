@@ -34,22 +34,16 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_step
-    integer(c_size_t) :: struct_size = merge(72, 48, c_intptr_t == 8)
+    integer(c_size_t) :: struct_size = merge(104, 76, c_intptr_t == 8)
     integer(c_int32_t) :: control = 0, warm_start = 1
     real(c_double) :: target = 0
-    type(c_ptr) :: undeformed_gap = c_null_ptr  ! const double *
-    type(c_ptr) :: undeformed_gap_single = c_null_ptr  ! const float *
-    type(c_ptr) :: mask = c_null_ptr  ! const uint8_t *
-    type(c_ptr) :: p0 = c_null_ptr  ! const double *
-    type(c_ptr) :: memory = c_null_ptr  ! const char *
+    type(rc_const_array) :: undeformed_gap, mask, p0
     integer(c_int32_t) :: borrow = 0, reserved = 0
   end type
 
   type, bind(c) :: rc_result
-    integer(c_size_t) :: struct_size = merge(608, 584, c_intptr_t == 8)
-    type(c_ptr) :: p = c_null_ptr, gap = c_null_ptr  ! double *
-    type(c_ptr) :: p_single = c_null_ptr, gap_single = c_null_ptr  ! float *
-    type(c_ptr) :: memory = c_null_ptr  ! const char *
+    integer(c_size_t) :: struct_size = merge(616, 596, c_intptr_t == 8)
+    type(rc_array) :: p, gap
     integer(rc_status) :: status = RC_ERR_ARGUMENT
     integer(c_int32_t) :: reserved = 0
     real(c_double) :: load = 0, approach = 0, mean_pressure = 0, max_pressure = 0, contact_area = 0, area_fraction = 0, &

@@ -128,12 +128,12 @@ static rc_status solve(Request* request, const double* heights, const double* p0
   double* undeformed_gap = mxMalloc(n * sizeof *undeformed_gap + 1);
   rc_status status = rc_gap_from_heights((int64_t)n, heights, request->mask, undeformed_gap);
   if (status != RC_OK) return keep_message(request, status);
-  request->step.undeformed_gap = undeformed_gap;
-  request->step.mask = request->mask;
-  request->step.p0 = p0;
+  request->step.undeformed_gap.data = undeformed_gap;
+  request->step.mask.data = request->mask;
+  request->step.p0.data = p0;
   *result = (rc_result)RC_RESULT_INIT;
-  result->p = p;
-  result->gap = gap;
+  result->p.data = p;
+  result->gap.data = gap;
 
   rc_contact* contact = NULL;
   status = rc_contact_create(&request->system, request->options, &contact);

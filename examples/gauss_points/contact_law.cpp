@@ -45,12 +45,12 @@ ContactLaw::Answer ContactLaw::press(double approach) {
   step.control = RC_CONTROL_APPROACH;
   step.warm_start = 0;
   step.target = approach;
-  step.undeformed_gap = gap_.data();
+  step.undeformed_gap.data = gap_.data();
   step.borrow = 1;  // gap_ stays where it is while the law lives
-  step.p0 = state_.empty() ? nullptr : state_.data();
+  step.p0.data = state_.empty() ? nullptr : state_.data();
   trial_.resize(gap_.size());
   rc_result result = RC_RESULT_INIT;
-  result.p = trial_.data();
+  result.p.data = trial_.data();
   check(rc_contact_solve(contact_.get(), &step, &result));
   return {result.load, result.stiffness, result.contact_area};
 }

@@ -72,7 +72,7 @@ void Evaluate(double& pressure, double& effectiveContactAreaFraction, double Del
     step.control = RC_CONTROL_APPROACH;
     step.warm_start = WarmStartingFlag ? 1 : 0;
     step.target = approach;
-    step.undeformed_gap = iteration == 0 ? gap.data() : nullptr;
+    step.undeformed_gap.data = iteration == 0 ? gap.data() : nullptr;
     rc_result result = RC_RESULT_INIT;
     check(rc_contact_solve(contact.get(), &step, &result));
     const double excess = approach - result.load / ElasticComplianceCorrection - Delta;

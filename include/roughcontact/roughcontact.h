@@ -138,14 +138,15 @@ typedef struct rc_contact rc_contact; /* operator, plans, factors and last press
 
 /** @defgroup array Arrays of the caller, in either precision and in the memory of the host or of a device  @{ */
 enum { RC_NATIVE = 0, RC_SINGLE = 1 };
-/** n values, n = nx*ny, that the library writes. data NULL: no array. */
+/** n = nx*ny values that the library writes: array.data = p. */
 typedef struct rc_array {
-  void *data;
+  void *data;          /* NULL: no array                                                                             */
   int32_t type;        /* RC_NATIVE: the type that the member's description names, double unless said otherwise;
                           RC_SINGLE: float, in place of double                                                       */
   int32_t reserved;    /* 0                                                                                          */
   const char *memory;  /* where data lies. NULL: in the host's memory. "cuda" or another backend with a device: in that
-                          device's memory                                                                            */
+                          device's memory, from and to where values are copied once the device has done what it was given
+                          before                                                                                     */
 } rc_array;
 /** n values that the library reads. */
 typedef struct rc_const_array {
@@ -192,17 +193,13 @@ typedef struct rc_step {
   double target;       /* APPROACH: approach d [length]; LOAD: normal force W [force], >= 0                          */
 
   /* Arrays of the caller */
-  const double *undeformed_gap; /* [n] h [length], see rc_gap_from_heights; NULL: as in the previous step            */
-  const float *undeformed_gap_single; /* [n] in place of undeformed_gap: 4 bytes a point, copied or borrowed likewise. With
-                          borrow it may be a file that is mapped into memory. NULL: none                             */
-  const uint8_t *mask; /* [n] 0: this point carries no pressure and its undeformed gap is ignored (it may be NaN);
-                          NULL with undeformed_gap given: all points; NULL without: as in the previous step          */
-  const double *p0;    /* [n] explicit start [force/length^2], negative values are taken as 0; NULL: none            */
-  const char *memory;  /* where all arrays above lie. NULL: in the host's memory. "cuda" or another backend with a device:
-                          in that device's memory, from where they are copied to the host once what the device was told
-                          to do before is done; with borrow, solvers of that device read the gap where it is         */
+  rc_const_array undeformed_gap; /* [n] h [length], see rc_gap_from_heights; none: as in the previous step           */
+  rc_const_array mask; /* [n] uint8_t; 0: this point carries no pressure and its undeformed gap is ignored (it may be NaN);
+                          none with undeformed_gap given: all points; none without: as in the previous step          */
+  rc_const_array p0;   /* [n] explicit start [force/length^2], negative values are taken as 0; none: no such start   */
   int32_t borrow;      /* 1: undeformed_gap and mask are not copied; they stay as they are until a step that brings
-                          other arrays has returned, or the contact is reset or destroyed. 0: copied (default)       */
+                          other arrays has returned, or the contact is reset or destroyed. A gap may then be a file that is
+                          mapped into memory; one on a device is read there by that device's solvers. 0: copied (default) */
   int32_t reserved;    /* 0                                                                                          */
 } rc_step;
 #define RC_STEP_INIT RC_BEGIN_WITH(rc_step, warm_start = 1)
@@ -214,18 +211,15 @@ RC_API rc_status rc_gap_from_heights(int64_t n, const double *heights, const uin
 /** @} */
 
 /** @defgroup result Result  @{ */
-/** Answer of one step. The caller sets p, gap, p_single and gap_single; the library writes the rest whenever the returned status
- *  is >= 0, and leaves these four arrays untouched when it is < 0. */
+/** Answer of one step. The caller sets p and gap; the library writes what they point to and the rest whenever the returned status
+ *  is >= 0, and leaves both arrays untouched when it is < 0. */
 typedef struct rc_result {
   size_t struct_size;  /* sizeof(rc_result)                                                                          */
 
   /* Arrays of the caller */
-  double *p;           /* [n] pressures [force/length^2]; NULL: not wanted                                           */
-  double *gap;         /* [n] deformed gap g = H p + h - d [length]; NULL: not wanted                                */
-  float *p_single, *gap_single; /* [n] as p and gap, rounded to 4 bytes a point; all else is that of the values before. NULL: not
-                          wanted                                                                                     */
-  const char *memory;  /* where p, gap, p_single and gap_single lie, as in rc_step.memory; they are written where the
-                          status is >= 0                                                                             */
+  rc_array p;          /* [n] pressures [force/length^2]; none: not wanted. With RC_SINGLE the values are rounded, and all
+                          numbers below are of those before                                                          */
+  rc_array gap;        /* [n] deformed gap g = H p + h - d [length]; none: not wanted                                */
 
   /* The answer */
   rc_status status;    /* as returned; failed until an answer is written                                             */
@@ -238,7 +232,7 @@ typedef struct rc_result {
   double area_fraction; /* contacts / points                                                                         */
   double mean_gap;     /* mean of g over the points that are not masked [length]; the overlap of points at the hardness
                           counts as 0. NaN where the certificate needs g at some points only, as it does in sparse
-                          contact, unless gap or gap_single is wanted                                                */
+                          contact, unless gap is wanted                                                              */
   double energy;       /* (1/2 p'Hp - (d - h)'p) hx hy [force length], the functional that is minimised              */
   int64_t contacts;    /* points with p > 0                                                                          */
 
@@ -376,7 +370,7 @@ RC_API void rc_contact_destroy(rc_contact *contact);
 /** Solves one step and certifies the answer. A failed or stopped step keeps the last certified pressures as
  *  the next warm start. Errors: ARGUMENT, INFEASIBLE, INCOMPATIBLE, NO_BACKEND, MEMORY, NUMERIC, EXTERNAL, BUSY. */
 RC_API rc_status rc_contact_solve(rc_contact *contact, const rc_step *step, rc_result *result);
-/** Certifies the pressures that the caller puts in result->p or, where it is NULL, in result->p_single ([n]) for this step:
+/** Certifies the pressures that the caller puts in result->p ([n]) for this step:
  *  nothing is solved. In load control the approach is the one that fits them best. RC_OK or RC_UNCERTIFIED. */
 RC_API rc_status rc_contact_certify(rc_contact *contact, const rc_step *step, rc_result *result);
 /** Which grid the last step's answer is of, and its estimated errors. An rc_history_fn may call it for the step that it is

@@ -26,7 +26,7 @@ template <class Body> rc_status exclusively(const char* where, rc_contact* conta
 
 template <class Body> rc_status with_step(Contact& contact, const rc_step* step, rc_result* result, const Body& body) {
   const rc_step today = read_step(step);
-  rc_result answer = read<rc_result>(result, "rc_result", RC_RESULT_INIT);
+  rc_result answer = read_result(result);
   const Numbers numbers = body(contact, today, outputs_of(answer));
   write(numbers, contact.problem().system, answer);
   write(result, answer);

@@ -82,8 +82,8 @@ rc_status on_matrix(const char* where, const char* solver, const Matrix& H, cons
     for (double& value : gap) value = -value;
     rc_step step = RC_STEP_INIT;
     step.control = RC_CONTROL_APPROACH;
-    step.undeformed_gap = gap.data();
-    step.p0 = p;
+    step.undeformed_gap.data = gap.data();
+    step.p0.data = p;
     const Numbers numbers = contact.solve(step, {{p}, {w}});
     report(numbers, contact.problem().system, result);
     return numbers.status;
@@ -145,7 +145,7 @@ rc_status rc_cmr(int64_t nx, int64_t ny, double hx, double hy, double modulus, c
     raise_if_failed(rc_gap_from_heights(nx * ny, heights, nullptr, gap.data()), "the undeformed gap");
     rc_step step = RC_STEP_INIT;
     step.control = RC_CONTROL_APPROACH;
-    step.undeformed_gap = gap.data();
+    step.undeformed_gap.data = gap.data();
     step.target = approach;
     const Numbers numbers = contact.solve(step, {{p}, {}});
     report(numbers, contact.problem().system, result);

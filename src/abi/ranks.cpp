@@ -49,10 +49,17 @@ rc_status with_step(const char* where, rc_ranks_contact* contact, const rc_step*
     rc_result answer = RC_RESULT_INIT;
     on_all(&c.ranks(), [&] {
       today = read_step(step);
-      answer = read<rc_result>(result, "rc_result", RC_RESULT_INIT);
-      if (today.memory || answer.memory)
-        fail(RC_ERR_INCOMPATIBLE, today.memory ? "rc_step" : "rc_result", ".memory = \"",
-             today.memory ? today.memory : answer.memory, "\": contacts shared by ranks take arrays in the host's memory alone");
+      answer = read_result(result);
+      const auto check_host = [](const auto& array, const char* name) {
+        if (array.memory)
+          fail(RC_ERR_INCOMPATIBLE, name, ".memory = \"", array.memory,
+               "\": contacts shared by ranks take arrays in the host's memory only");
+      };
+      check_host(today.undeformed_gap, "rc_step.undeformed_gap");
+      check_host(today.mask, "rc_step.mask");
+      check_host(today.p0, "rc_step.p0");
+      check_host(answer.p, "rc_result.p");
+      check_host(answer.gap, "rc_result.gap");
     });
     const Numbers numbers = body(c, today, outputs_of(answer));
     write(numbers, c.system(), answer);

@@ -44,8 +44,9 @@ void check(const Step& step, const GridProblem& problem, const StepSurface& surf
     fail(RC_ERR_ARGUMENT, "the gap's range, ", surface.lowest(), " .. ", surface.highest(), ", and the target ", target,
          " are too far apart for double precision");
   problem.company().on_all([&] {
-    for (std::int64_t i = 0; step.p0 && i < problem.own_points(); ++i)
-      if (!std::isfinite(step.p0[i])) fail(RC_ERR_ARGUMENT, "rc_step.p0[", i, "] = ", step.p0[i], " is not finite");
+    for (std::int64_t i = 0; step.p0.data && i < problem.own_points(); ++i)
+      if (const double p = value_at(step.p0, static_cast<std::size_t>(i)); !std::isfinite(p))
+        fail(RC_ERR_ARGUMENT, "rc_step.p0[", i, "] = ", p, " is not finite");
   });
 }
 

@@ -66,8 +66,8 @@ void write(const char* function, rc_status status, const rc_result* result) {
   for (const double value : {result->approach, result->load, result->energy, result->kkt_primal, result->kkt_dual,
                              result->kkt_complementarity, result->load_lower, result->load_upper, result->stiffness})
     hash.add(value);
-  hash.add(result->p, result->points);
-  hash.add(result->gap, result->points);
+  hash.add(static_cast<double*>(result->p.data), result->points);
+  hash.add(static_cast<double*>(result->gap.data), result->points);
   write(function, status, result->products, result->contacts, hash);
 }
 

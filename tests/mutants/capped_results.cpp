@@ -56,8 +56,8 @@ void figures_of_capped_results(Figures& figures) {
               mask[2] = mask[5] = 0;
               rc_step step = RC_STEP_INIT;
               step.control = control;
-              step.undeformed_gap = small.gap.data();
-              step.mask = masked ? mask.data() : nullptr;
+              step.undeformed_gap.data = small.gap.data();
+              step.mask.data = masked ? mask.data() : nullptr;
               step.target = control == RC_CONTROL_LOAD
                                 ? depth * 0.5 * std::min(c, 1.0) * scale * small.given.hx * static_cast<double>(small.points())
                                 : depth;
@@ -66,8 +66,8 @@ void figures_of_capped_results(Figures& figures) {
                                        (control == RC_CONTROL_LOAD ? "/load" : "/approach") + (masked ? "/mask" : "");
               rc_result r{};
               r.struct_size = sizeof r;
-              r.p = p.data();
-              r.gap = deformed.data();
+              r.p.data = p.data();
+              r.gap.data = deformed.data();
               put_capped(figures, name, contact, rc_contact_solve(contact, &step, &r), r, p, deformed, true);
               const std::vector<double> right = p;
               // The certificate is asked for pressures at which each end is missed, at the elastic and at the hard points.
@@ -83,8 +83,8 @@ void figures_of_capped_results(Figures& figures) {
                   if (way == 0) p[3] = 0.03 * std::min(c, 1.0) * scale;  // no approach fits all
                   r = {};
                   r.struct_size = sizeof r;
-                  r.p = p.data();
-                  r.gap = deformed.data();
+                  r.p.data = p.data();
+                  r.gap.data = deformed.data();
                   put_capped(figures, name + "/wrong" + std::to_string(wrong) + std::to_string(way), contact,
                              rc_contact_certify(contact, &step, &r), r, p, deformed, false);
                 }

@@ -121,11 +121,11 @@ void beyond_double_precision(Figures& figures) {
     std::vector<double> p(3, size), deformed(3);
     rc_step step = RC_STEP_INIT;
     step.control = RC_CONTROL_APPROACH;
-    step.undeformed_gap = factor < 1 ? flat.data() : small.gap.data();
+    step.undeformed_gap.data = factor < 1 ? flat.data() : small.gap.data();
     step.target = factor < 1 ? 1e-25 : 0.4;
     rc_result r{};
     r.struct_size = sizeof r;
-    r.p = p.data();
+    r.p.data = p.data();
     figures.section("beyond/" + std::to_string(std::log10(size)));
     const rc_status status = rc_contact_certify(handle.contact, &step, &r);
     put(figures, handle.contact, status, r, p, deformed, true);
@@ -144,12 +144,12 @@ void stopped_far_from_the_answer(Figures& figures) {
         std::vector<double> p(small.points()), p0(small.points(), start), deformed(small.points());
         rc_step step = RC_STEP_INIT;
         step.control = control;
-        step.undeformed_gap = small.gap.data();
+        step.undeformed_gap.data = small.gap.data();
         step.target = 0.1;
-        step.p0 = p0.data();
+        step.p0.data = p0.data();
         rc_result r{};
         r.struct_size = sizeof r;
-        r.p = p.data();
+        r.p.data = p.data();
         figures.section(std::string("stopped/") + solver + std::to_string(start) + std::to_string(control));
         const rc_status status = rc_contact_solve(handle.contact, &step, &r);
         put(figures, handle.contact, status, r, p, deformed, true);
@@ -170,12 +170,12 @@ void masks_that_leave_little(Figures& figures) {
       mask[5] = one;
       rc_step step = RC_STEP_INIT;
       step.control = control;
-      step.undeformed_gap = gap.data();
-      step.mask = mask.data();
+      step.undeformed_gap.data = gap.data();
+      step.mask.data = mask.data();
       step.target = control == RC_CONTROL_APPROACH ? 2 : one ? 0.3 : 0;
       rc_result r{};
       r.struct_size = sizeof r;
-      r.p = p.data();
+      r.p.data = p.data();
       figures.section(std::string("little/") + std::to_string(one) + std::to_string(control));
       const rc_status status = rc_contact_solve(handle.contact, &step, &r);
       put(figures, handle.contact, status, r, p, deformed, true);
@@ -200,13 +200,13 @@ void solved_near_the_mean_plane(Figures& figures) {
       if (masked) p[3] = mask[3] = 0;
       rc_step step = RC_STEP_INIT;
       step.control = RC_CONTROL_APPROACH;
-      step.undeformed_gap = small.gap.data();
-      step.mask = masked ? mask.data() : nullptr;
+      step.undeformed_gap.data = small.gap.data();
+      step.mask.data = masked ? mask.data() : nullptr;
       step.target = mean + beyond;
       rc_result r{};
       r.struct_size = sizeof r;
-      r.p = p.data();
-      r.gap = deformed.data();
+      r.p.data = p.data();
+      r.gap.data = deformed.data();
       figures.section(std::string("mean_plane/") + (masked ? "mask/" : "") + std::to_string(beyond * 1e9));
       put(figures, handle.contact, rc_contact_certify(handle.contact, &step, &r), r, p, deformed, false);
       figures.near("kkt_dual", r.kkt_dual);
@@ -270,12 +270,12 @@ void figures_of_results(Figures& figures) {
               rc_step step = RC_STEP_INIT;
               step.control = control;
               step.target = control == RC_CONTROL_LOAD ? size : size + datum;
-              step.undeformed_gap = gap.data();
-              step.mask = masked ? mask.data() : nullptr;
+              step.undeformed_gap.data = gap.data();
+              step.mask.data = masked ? mask.data() : nullptr;
               rc_result r{};
               r.struct_size = sizeof r;
-              r.p = p.data();
-              r.gap = deformed.data();
+              r.p.data = p.data();
+              r.gap.data = deformed.data();
               const std::string name = std::to_string(number) + "/" + std::to_string(datum) + "/" + std::to_string(tol) +
                                        (masked ? "/mask" : "") + (control == RC_CONTROL_LOAD ? "/load" : "/approach") +
                                        std::to_string(size * 1e9);
@@ -285,12 +285,12 @@ void figures_of_results(Figures& figures) {
               // Without the gap, a certificate over the unknowns alone.
               r = {};
               r.struct_size = sizeof r;
-              r.p = p.data();
+              r.p.data = p.data();
               step.warm_start = 0;
               figures.section("unknowns/" + name);
               status = rc_contact_solve(contact, &step, &r);
               put(figures, contact, status, r, p, deformed, true);
-              r.gap = deformed.data();
+              r.gap.data = deformed.data();
               const std::vector<double> right = p;
               for (const double spoilt : {0.1, 1e-4}) {
                 p = right;

@@ -24,13 +24,13 @@ Answer blank(std::size_t points) {
 }
 
 template <class Call> void complete(rc_contact* contact, Answer& answer, Call call) {
-  answer.result.p = answer.p.data();
-  answer.result.gap = answer.gap.data();
+  answer.result.p.data = answer.p.data();
+  answer.result.gap.data = answer.gap.data();
   answer.status = call(&answer.result);
   answer.message = rc_last_error();
   rc_contact_accuracy(contact, &answer.accuracy);
   // The answer may be copied: its arrays are p and gap.
-  answer.result.p = answer.result.gap = nullptr;
+  answer.result.p.data = answer.result.gap.data = nullptr;
 }
 
 }  // namespace
@@ -46,8 +46,8 @@ rc_step Problem::step() const {
   rc_step step = RC_STEP_INIT;
   step.control = control;
   step.target = target;
-  step.undeformed_gap = gap.data();
-  step.mask = mask.empty() ? nullptr : mask.data();
+  step.undeformed_gap.data = gap.data();
+  step.mask.data = mask.empty() ? nullptr : mask.data();
   return step;
 }
 

@@ -80,14 +80,14 @@ StepRecord StepSolver::press(int number, int32_t control, double target, Fields&
   rc_step step = RC_STEP_INIT;
   step.control = control;
   step.target = target;
-  step.undeformed_gap = gap_given_ ? nullptr : gap_.data();
-  step.mask = !gap_given_ && !problem_.input.mask.empty() ? problem_.input.mask.data() : nullptr;
+  step.undeformed_gap.data = gap_given_ ? nullptr : gap_.data();
+  step.mask.data = !gap_given_ && !problem_.input.mask.empty() ? problem_.input.mask.data() : nullptr;
   step.borrow = 1;
   gap_given_ = true;
 
   StepRecord record{number, RC_RESULT_INIT, RC_ACCURACY_INIT, {}, {}, {}};
-  record.result.p = fields.pressure.data();
-  record.result.gap = fields.gap.data();
+  record.result.p.data = fields.pressure.data();
+  record.result.gap.data = fields.gap.data();
   const rc_status status = rc_contact_solve(contact_, &step, &record.result);
   if (status > 0) record.message = last_message();
   check(status, format("step %d", number));
@@ -141,8 +141,8 @@ StepRecord StepSolver::find_area(int number, Fields& fields) {
   found.result.products = products;
   found.result.seconds = seconds;
   found.result.setup_seconds = setup;
-  found.result.p = fields.pressure.data();
-  found.result.gap = fields.gap.data();
+  found.result.p.data = fields.pressure.data();
+  found.result.gap.data = fields.gap.data();
   indentation_ = fields.indentation;
   if (found.good()) {
     certified_.insert(certified_.begin(), {fields.pressure, found.result.approach, found.result.load});

@@ -7,9 +7,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._c import S, bytes_, ctype, doubles, integers, singles, statuses
+from ._constants import RC_NATIVE, RC_SINGLE
 from ._data_arrays import in_order
-from ._device import on_host
+from ._device import DeviceArray, on_host
 from ._errors import ArgumentError, RoughContactError, ShapeError
+from ._structs import rc_array, rc_const_array
 
 Doubles = NDArray[np.float64]
 Reals = Union[Doubles, NDArray[np.float32]]
@@ -163,8 +165,17 @@ def pointer(array: Optional[NDArray[Any]]) -> Any:
 
 
 def given(members: S, **values: Any) -> S:
-    """Sets members of a struct, of arrays to `pointer`; those that are None stay as they are."""
+    """Sets members of a struct, of arrays to their address; those that are None stay as they are."""
     for name, value in values.items():
-        if value is not None:
+        member = getattr(members, name)
+        if value is None:
+            continue
+        if isinstance(member, (rc_array, rc_const_array)):
+            member.type = RC_SINGLE if value.dtype == np.float32 else RC_NATIVE
+            if isinstance(value, DeviceArray):
+                member.data, member.memory = value.address, value.memory
+            else:
+                member.data = value.ctypes.data
+        else:
             setattr(members, name, pointer(value) if isinstance(value, np.ndarray) and value.ndim else value)
     return members

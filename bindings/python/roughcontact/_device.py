@@ -48,9 +48,6 @@ class DeviceArray:
     def ndim(self) -> int:
         return len(self.shape)
 
-    def pointer(self, kind: Any) -> Any:
-        return ctypes.cast(self.address, ctypes.POINTER(kind))
-
 
 def _device_of(values: Any) -> Optional[int]:
     """DLPack's number; None: NumPy can read it."""

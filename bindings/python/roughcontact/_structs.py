@@ -28,14 +28,13 @@ class rc_system(Sized):
 
 @struct
 class rc_step(Sized):
-    members = """size_t struct_size; int32_t control warm_start=1; double target; doubles undeformed_gap;
-    singles undeformed_gap_single; bytes_ mask; doubles p0; text memory; int32_t borrow reserved"""
+    members = """size_t struct_size; int32_t control warm_start=1; double target; rc_const_array undeformed_gap mask p0;
+    int32_t borrow reserved"""
 
 
 @struct
 class rc_result(Sized):
-    members = """size_t struct_size; doubles p gap; singles p_single gap_single; text memory;
-    rc_status status=RC_ERR_ARGUMENT; int32_t reserved;
+    members = """size_t struct_size; rc_array p gap; rc_status status=RC_ERR_ARGUMENT; int32_t reserved;
     double load approach mean_pressure max_pressure contact_area area_fraction mean_gap energy; int64_t contacts;
     double kkt_primal kkt_dual kkt_complementarity kkt_control tolerance duality_gap load_lower load_upper;
     double area_lower area_upper; int64_t proven_contacts proven_open undecided;

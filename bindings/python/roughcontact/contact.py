@@ -68,14 +68,13 @@ def _on_device(step: rc_step, gap: DeviceArray, mask: Optional[Mask], first: Opt
     if gap.dtype not in ("float64", "float32"):
         raise TypeError(f"undeformed_gap holds {gap.dtype} on its device; float64 or float32 is needed")
     package_of(gap.like)  # before the step is solved in vain
-    names = {"undeformed_gap" if gap.dtype == "float64" else "undeformed_gap_single": gap}
+    names = {"undeformed_gap": gap}
     for name, array in (("mask", mask), ("p0", first)):
         if array is not None:
             there = device_array(alike(array, gap.like), name)
             assert there is not None
             names[name] = there
-    kinds = {"float64": ctypes.c_double, "float32": ctypes.c_float, "uint8": ctypes.c_uint8}
-    given(step, memory=gap.memory, **{name: array.pointer(kinds[array.dtype]) for name, array in names.items()})
+    given(step, **names)
     return tuple(names.values())
 
 
@@ -147,7 +146,7 @@ class Contact(Handle):
         if there is not None:
             sent = _on_device(step, there, mask_array, first)
         else:
-            given(step, mask=mask_array, p0=first, **{"undeformed_gap_single" if single else "undeformed_gap": gap_array})
+            given(step, undeformed_gap=gap_array, mask=mask_array, p0=first)
         width = np.float32 if single else np.float64
         pressures = np.zeros(self.system.shape, width) if want_pressure else None
         deformed = np.zeros(self.system.shape, width) if want_gap else None
@@ -194,10 +193,7 @@ class Contact(Handle):
         must_be_certified: bool,
         *inputs: Any,
     ) -> Result:
-        struct = rc_result()
-        for name, array in (("p", pressure), ("gap", deformed)):
-            if array is not None:
-                given(struct, **{f"{name}_single" if array.dtype == np.float32 else name: array})
+        struct = given(rc_result(), p=pressure, gap=deformed)
         keep, clears = (pressure, deformed, inputs), function is not contact_library().rc_contact_certify
         status, message, interrupt = self._run(lambda: int(function(self._handle, step, struct)), keep, clears)
         answer = result_from(struct, message, self.grid(), pressure, deformed, self._handle) if status >= 0 else None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Dict, Optional, Tuple
@@ -20,7 +21,7 @@ from ._library import contact_library
 from ._measures import STEP_COLUMNS, UNKNOWN, Measures, measures_of
 from ._pictures import pressure_image
 from ._status import Status
-from ._structs import rc_accuracy, rc_level, rc_result
+from ._structs import rc_accuracy, rc_array, rc_level, rc_result
 
 
 @dataclass(frozen=True, repr=False)
@@ -260,8 +261,10 @@ def result_with_copies(struct: rc_result, grid: Grid, contact: Any = None) -> Re
     """From inside a callback, whose arrays last only until it returns."""
     n = int(np.prod(grid.shape))
 
-    def copy(values: Any) -> Optional[Doubles]:
-        return np.ctypeslib.as_array(values, (n,)).reshape(grid.shape).copy() if values else None
+    def copy(array: rc_array) -> Optional[Doubles]:
+        if not array.data:
+            return None
+        return np.ctypeslib.as_array(ctypes.cast(array.data, ctypes.POINTER(ctypes.c_double)), (n,)).reshape(grid.shape).copy()
 
     return result_from(struct, "", grid, copy(struct.p), copy(struct.gap), contact)
 

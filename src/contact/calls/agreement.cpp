@@ -9,8 +9,8 @@ namespace rc {
 
 namespace {
 
-const char* which(const void* in_double, const void* in_single) {
-  return in_double && in_single ? "both" : in_double ? "double" : in_single ? "float" : "none";
+template <class Array> const char* which(const Array& array) {
+  return !array.data ? "none" : array.type == RC_SINGLE ? "float" : "double";
 }
 
 }  // namespace
@@ -36,11 +36,11 @@ std::vector<Fact> facts_of(const rc_step& step, const Outputs& outputs) {
   return {{"rc_step.control", join(step.control)},
           {"rc_step.warm_start", join(step.warm_start)},
           {"rc_step.target", exact(step.target)},
-          {"the type of rc_step.undeformed_gap", which(step.undeformed_gap, step.undeformed_gap_single)},
-          {"rc_step.mask", step.mask ? "given" : "none"},
-          {"rc_step.p0", step.p0 ? "given" : "none"},
-          {"the type of rc_result.p", which(outputs.p.in_double, outputs.p.in_single)},
-          {"the type of rc_result.gap", which(outputs.gap.in_double, outputs.gap.in_single)}};
+          {"the type of rc_step.undeformed_gap", which(step.undeformed_gap)},
+          {"rc_step.mask", step.mask.data ? "given" : "none"},
+          {"the type of rc_step.p0", which(step.p0)},
+          {"the type of rc_result.p", which(outputs.p.array)},
+          {"the type of rc_result.gap", which(outputs.gap.array)}};
 }
 
 std::vector<Fact> facts_of(const rc_history& path) {

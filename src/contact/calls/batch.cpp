@@ -64,10 +64,10 @@ struct Request {
     step.warm_start = given.warm_start;
     step.target = target(i, k);
     if (k > 0) return step;  // later steps keep the surface of the first
-    step.undeformed_gap = given.undeformed_gap + i * given.undeformed_gap_stride;
-    step.mask = given.mask ? given.mask + i * given.mask_stride : nullptr;
+    step.undeformed_gap.data = given.undeformed_gap + i * given.undeformed_gap_stride;
+    step.mask.data = given.mask ? given.mask + i * given.mask_stride : nullptr;
     step.borrow = 1;  // the caller's arrays outlive the contacts
-    step.p0 = given.p0 ? given.p0 + i * points : nullptr;
+    step.p0.data = given.p0 ? given.p0 + i * points : nullptr;
     return step;
   }
   double* pressures(std::int64_t i) const { return given.p ? given.p + i * points : nullptr; }

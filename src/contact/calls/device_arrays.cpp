@@ -1,7 +1,6 @@
 #include "contact/calls/device_arrays.h"
 
 #include <algorithm>
-#include <span>
 
 #include "contact/problem.h"
 #include "core/error.h"
@@ -10,105 +9,93 @@ namespace rc {
 
 namespace {
 
+// The memory of a device in which an array of the caller lies.
 class Device {
  public:
-  Device(const GridProblem& problem, const char* name, const char* member)
+  Device(const GridProblem& problem, const char* name, const char* array)
       : problem_(problem), backend_(problem.options.context->backend(name)) {
     if (!backend_.fetch || !backend_.store)
-      fail(RC_ERR_INCOMPATIBLE, member, " = \"", name,
+      fail(RC_ERR_INCOMPATIBLE, array, ".memory = \"", name,
            "\": this backend has no device with a memory of its own; name one that has (\"cuda\"), or null for arrays in "
            "the host's memory");
   }
 
-  template <class Value> const Value* copied(const Value* from, std::unique_ptr<Value[]>& to) const {
-    if (!from) return nullptr;
-    to = room<Value>();
+  void fetch(void* to, const void* from, std::size_t bytes) const {
     clear_message();
-    raise_if_failed(backend_.fetch(&problem_.host, &problem_.options, to.get(), from, bytes<Value>()), "copying from the device");
-    return to.get();
+    raise_if_failed(backend_.fetch(&problem_.host, &problem_.options, to, from, static_cast<std::int64_t>(bytes)),
+                    "copying from the device");
   }
-  template <class Value> std::unique_ptr<Value[]> room() const {
-    return std::make_unique_for_overwrite<Value[]>(static_cast<std::size_t>(problem_.own_points()));
-  }
-  template <class Value> void store(Value* to, const Value* from) const {
-    if (!to) return;
+  void store(void* to, const void* from, std::size_t bytes) const {
     clear_message();
-    raise_if_failed(backend_.store(&problem_.host, &problem_.options, to, from, bytes<Value>()), "copying to the device");
+    raise_if_failed(backend_.store(&problem_.host, &problem_.options, to, from, static_cast<std::int64_t>(bytes)),
+                    "copying to the device");
   }
 
  private:
-  template <class Value> std::int64_t bytes() const { return problem_.own_points() * static_cast<std::int64_t>(sizeof(Value)); }
-
   const GridProblem& problem_;
   const rc_backend& backend_;
 };
 
 bool refers_to(const StepSurface& surface, const HostCopies& copies) {
-  const GapValues& gap = surface.gap();
-  return (gap.in_double() && gap.in_double() == copies.gap.get()) ||
-         (gap.in_single() && gap.in_single() == copies.gap_single.get()) ||
-         (surface.mask() && surface.mask() == copies.mask.get());
+  const void* const gap = surface.gap().array().data;
+  return (gap && gap == copies.gap.get()) || (surface.mask() && static_cast<const void*>(surface.mask()) == copies.mask.get());
 }
+
+template <class... Arrays> bool any_on_device(const Arrays&... arrays) { return (... || (arrays.memory != nullptr)); }
 
 }  // namespace
 
 OnHost::OnHost(GridProblem& problem, HeldCopies& held, const rc_step& given, const Outputs& wanted, bool judged)
     : step(given), outputs(wanted), problem_(problem), held_(held), judged_(judged) {
-  if (!step.memory && !outputs.memory) return;
+  if (!any_on_device(step.undeformed_gap, step.mask, step.p0, outputs.p.array, outputs.gap.array)) return;
   held_.push_back(std::make_unique<HostCopies>());
+  HostCopies& copies = *held_.back();
   try {
-    if (step.memory) fetch(given);
-    if (outputs.memory) make_room(wanted);
+    bring(step.undeformed_gap, sizeof(double), copies.gap, "rc_step.undeformed_gap");
+    bring(step.mask, sizeof(std::uint8_t), copies.mask, "rc_step.mask");
+    bring(step.p0, sizeof(double), copies.p0, "rc_step.p0");
+    bring(outputs.p.array, sizeof(double), copies.p, "rc_result.p", judged_);
+    bring(outputs.gap.array, sizeof(double), copies.deformed, "rc_result.gap", false);
+    lend(given);
   } catch (...) {
     leave();
     throw;
   }
 }
 
-void OnHost::fetch(const rc_step& given) {
-  const Device device(problem_, given.memory, "rc_step.memory");
-  HostCopies& copies = *held_.back();
-  step.undeformed_gap = device.copied(given.undeformed_gap, copies.gap);
-  step.undeformed_gap_single = device.copied(given.undeformed_gap_single, copies.gap_single);
-  step.mask = device.copied(given.mask, copies.mask);
-  step.p0 = device.copied(given.p0, copies.p0);
-  step.borrow = 1;
-  if (!given.undeformed_gap && !given.undeformed_gap_single) return;
+// Puts a copy on the host, or room for one, in the place of an array on a device.
+template <class Array>
+void OnHost::bring(Array& array, std::size_t native, std::unique_ptr<std::byte[]>& copy, const char* name, bool given) {
+  if (!array.memory) return;
+  const Device device(problem_, array.memory, name);
+  if (array.data) {
+    const std::size_t bytes = static_cast<std::size_t>(problem_.own_points()) * bytes_of_value(array, native);
+    copy = std::make_unique_for_overwrite<std::byte[]>(bytes);
+    if (given) device.fetch(copy.get(), array.data, bytes);
+    array.data = copy.get();
+  }
+  array.memory = nullptr;
+}
+
+// The contact borrows the copies, and its solvers the gap on the device.
+void OnHost::lend(const rc_step& given) {
+  const auto is_copy = [](const rc_const_array& array) { return !array.data || array.memory; };
+  if (is_copy(given.undeformed_gap) && is_copy(given.mask)) step.borrow = 1;
+  if (!given.undeformed_gap.memory || !given.undeformed_gap.data) return;
   const auto n = static_cast<std::size_t>(problem_.own_points());
-  const bool single = given.undeformed_gap == nullptr;
-  problem_.gap_on_device = {single ? static_cast<const void*>(given.undeformed_gap_single) : given.undeformed_gap,
-                            single ? GapValues(std::span<const float>(copies.gap_single.get(), n))
-                                   : GapValues(std::span<const double>(copies.gap.get(), n)),
-                            given.memory};
+  problem_.gap_on_device = {given.undeformed_gap.data, GapValues(step.undeformed_gap, n), given.undeformed_gap.memory};
   lent_ = given.borrow == 0;
 }
 
-void OnHost::make_room(const Outputs& wanted) {
-  const Device device(problem_, wanted.memory, "rc_result.memory");
-  HostCopies& copies = *held_.back();
-  const auto room = [&]<class Value>(Value*& to, std::unique_ptr<Value[]>& of, bool given) {
-    if (!to) return;
-    if (given)
-      device.copied<Value>(to, of);
-    else
-      of = device.room<Value>();
-    to = of.get();
-  };
-  room(outputs.p.in_double, copies.p, judged_);
-  room(outputs.p.in_single, copies.p_single, judged_);
-  room(outputs.gap.in_double, copies.deformed, false);
-  room(outputs.gap.in_single, copies.deformed_single, false);
-}
-
 void OnHost::give(const Outputs& to) const {
-  if (!to.memory) return;
-  const Device device(problem_, to.memory, "rc_result.memory");
-  const auto store = [&](const OutputArray& there, const OutputArray& here) {
-    device.store(there.in_double, here.in_double);
-    device.store(there.in_single, here.in_single);
+  const auto store = [&](const rc_array& on_device, const rc_array& here, const char* name) {
+    if (on_device.memory && on_device.data)
+      Device(problem_, on_device.memory, name)
+          .store(on_device.data, here.data,
+                 static_cast<std::size_t>(problem_.own_points()) * bytes_of_value(here, sizeof(double)));
   };
-  if (!judged_) store(to.p, outputs.p);
-  store(to.gap, outputs.gap);
+  if (!judged_) store(to.p.array, outputs.p.array, "rc_result.p");
+  store(to.gap.array, outputs.gap.array, "rc_result.gap");
 }
 
 void OnHost::leave() {
@@ -116,8 +103,7 @@ void OnHost::leave() {
   std::erase_if(held_, [&](const auto& copies) { return !refers_to(problem_.surface, *copies); });
   if (held_.empty()) return;
   HostCopies& kept = *held_.back();
-  for (std::unique_ptr<double[]>* const each : {&kept.p0, &kept.p, &kept.deformed}) each->reset();
-  for (std::unique_ptr<float[]>* const each : {&kept.p_single, &kept.deformed_single}) each->reset();
+  for (std::unique_ptr<std::byte[]>* const each : {&kept.p0, &kept.p, &kept.deformed}) each->reset();
 }
 
 }  // namespace rc

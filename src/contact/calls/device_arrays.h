@@ -3,7 +3,7 @@
 
 #include <roughcontact/plugin.h>
 
-#include <cstdint>
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -15,9 +15,7 @@ class GridProblem;
 
 // Copies of one step's arrays; null where there are none.
 struct HostCopies {
-  std::unique_ptr<double[]> gap, p0, p, deformed;
-  std::unique_ptr<float[]> gap_single, p_single, deformed_single;
-  std::unique_ptr<std::uint8_t[]> mask;
+  std::unique_ptr<std::byte[]> gap, mask, p0, p, deformed;
 };
 
 // Those that a contact's surface refers to, and those of the step that is being solved.
@@ -40,8 +38,9 @@ class OnHost {
   Outputs outputs;
 
  private:
-  void fetch(const rc_step& given);
-  void make_room(const Outputs& wanted);
+  template <class Array>
+  void bring(Array& array, std::size_t native, std::unique_ptr<std::byte[]>& copy, const char* name, bool given = true);
+  void lend(const rc_step& given);
   void leave();  // keeps what the surface refers to
 
   GridProblem& problem_;

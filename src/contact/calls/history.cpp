@@ -29,8 +29,8 @@ rc_step history_step(const rc_history& history, std::int64_t i) {
   step.warm_start = history.warm_start;
   step.target = history.targets[i];
   if (i == 0) {  // later steps keep the surface of the first
-    step.undeformed_gap = history.undeformed_gap;
-    step.mask = history.mask;
+    step.undeformed_gap.data = history.undeformed_gap;
+    step.mask.data = history.mask;
   }
   return step;
 }

@@ -138,8 +138,8 @@ class Check {
       step.control = batch_.control;
       step.target = target(i, k);
       if (k == 0) {
-        step.undeformed_gap = gap(i);
-        step.mask = mask(i);
+        step.undeformed_gap.data = gap(i);
+        step.mask.data = mask(i);
         step.borrow = 1;
       }
       Numbers found;

@@ -5,6 +5,7 @@
 
 #include "contact/calls/agreement.h"
 #include "contact/calls/history.h"
+#include "core/array.h"
 #include "core/error.h"
 #include "core/grid.h"
 
@@ -35,35 +36,32 @@ const rc_system& checked(const rc_system& system, const rc_options& options) {
   return system;
 }
 
-// A rank without rows gives no arrays; these stand for them and are neither read nor written.
-template <class Value> Value* stand_in() {
-  static const Value value{};
-  return const_cast<Value*>(&value);
-}
+// A rank without rows gives no arrays; this stands for them and is neither read nor written.
+double stand_in = 0;
 
-// As rank 0, which has rows, has them.
+// The types of the arrays that rank 0, which has rows, gives.
 struct Given {
-  bool gap, gap_single, mask, p0, p, p_single, deformed, deformed_single;
+  static constexpr std::int32_t none = -1;
+  std::int32_t gap, mask, p0, p, deformed;
 };
 
 void stand_in_for(const Given& given, rc_step& step, Outputs& outputs) {
-  step.undeformed_gap = given.gap ? stand_in<double>() : nullptr;
-  step.undeformed_gap_single = given.gap_single ? stand_in<float>() : nullptr;
-  step.mask = given.mask ? stand_in<std::uint8_t>() : nullptr;
-  step.p0 = given.p0 ? stand_in<double>() : nullptr;
-  outputs.p = {given.p ? stand_in<double>() : nullptr, given.p_single ? stand_in<float>() : nullptr};
-  outputs.gap = {given.deformed ? stand_in<double>() : nullptr, given.deformed_single ? stand_in<float>() : nullptr};
+  const auto put = [](auto& array, std::int32_t type) {
+    array = {};
+    if (type == Given::none) return;
+    array.data = &stand_in;
+    array.type = type;
+  };
+  put(step.undeformed_gap, given.gap);
+  put(step.mask, given.mask);
+  put(step.p0, given.p0);
+  put(outputs.p.array, given.p);
+  put(outputs.gap.array, given.deformed);
 }
 
 Given given_by(const rc_step& step, const Outputs& outputs) {
-  return {step.undeformed_gap != nullptr,
-          step.undeformed_gap_single != nullptr,
-          step.mask != nullptr,
-          step.p0 != nullptr,
-          outputs.p.in_double != nullptr,
-          outputs.p.in_single != nullptr,
-          outputs.gap.in_double != nullptr,
-          outputs.gap.in_single != nullptr};
+  const auto type = [](const auto& array) { return array.data ? array.type : Given::none; };
+  return {type(step.undeformed_gap), type(step.mask), type(step.p0), type(outputs.p.array), type(outputs.gap.array)};
 }
 
 }  // namespace
@@ -75,48 +73,47 @@ SharedContact::SharedContact(const Ranks& ranks, const rc_system& system, const 
   contact_ = std::make_unique<Contact>(system, options, alike_ ? Company::repeated() : Company::by_rows(ranks_));
 }
 
-template <class Value> const Value* SharedContact::gathered(const Value* mine, std::vector<Value>& all) const {
-  if (!mine) return nullptr;
-  on_all(&ranks_, [&] { all.resize(static_cast<std::size_t>(ranks_.all_rows() * columns())); });
-  ranks_.gather_rows(mine, columns(), all.data());
-  return all.data();
+rc_const_array SharedContact::gathered(const rc_const_array& mine, std::size_t native, std::vector<std::byte>& all) const {
+  if (!mine.data) return {};
+  const auto bytes = columns() * static_cast<std::int64_t>(bytes_of_value(mine, native));
+  on_all(&ranks_, [&] { all.resize(static_cast<std::size_t>(ranks_.all_rows() * bytes)); });
+  ranks_.gather_rows(static_cast<const std::byte*>(mine.data), bytes, all.data());
+  return {all.data(), mine.type, 0, nullptr};
 }
 
 Numbers SharedContact::run_alike(const rc_step& step, const Outputs& outputs, Action action) {
-  std::vector<double> gap, p0, p, deformed;
-  std::vector<float> gap_single, p_single, deformed_single;
-  std::vector<std::uint8_t> mask;
+  std::vector<std::byte> gap, mask, p0, p, deformed;
+  const bool judged = action == &Contact::certify;
   rc_step whole = step;
   whole.borrow = 0;
-  whole.undeformed_gap = gathered(step.undeformed_gap, gap);
-  whole.undeformed_gap_single = gathered(step.undeformed_gap_single, gap_single);
-  whole.mask = gathered(step.mask, mask);
-  whole.p0 = gathered(step.p0, p0);
-  if (action == &Contact::certify) {
-    gathered(outputs.p.in_double, p);
-    gathered(outputs.p.in_single, p_single);
-  }
+  whole.undeformed_gap = gathered(step.undeformed_gap, sizeof(double), gap);
+  whole.mask = gathered(step.mask, sizeof(std::uint8_t), mask);
+  whole.p0 = gathered(step.p0, sizeof(double), p0);
+  if (judged) gathered(read_only(outputs.p.array), sizeof(double), p);
+  const auto row_bytes = [&](const rc_array& array) {
+    return static_cast<std::size_t>(columns()) * bytes_of_value(array, sizeof(double));
+  };
   Numbers numbers;
   on_all(&ranks_, [&] {
-    const auto room = [&]<class Value>(const Value* wanted, std::vector<Value>& of) -> Value* {
-      if (!wanted) return nullptr;
-      of.resize(static_cast<std::size_t>(ranks_.all_rows() * columns()));
-      return of.data();
+    const auto room = [&](const rc_array& wanted, std::vector<std::byte>& of) {
+      rc_array all = wanted;
+      if (!wanted.data) return OutputArray();
+      of.resize(static_cast<std::size_t>(ranks_.all_rows()) * row_bytes(wanted));
+      all.data = of.data();
+      return OutputArray(all);
     };
-    const Outputs all{{room(outputs.p.in_double, p), room(outputs.p.in_single, p_single)},
-                      {room(outputs.gap.in_double, deformed), room(outputs.gap.in_single, deformed_single)}};
+    const Outputs all{room(outputs.p.array, p), room(outputs.gap.array, deformed)};
     numbers = (*contact_.*action)(whole, all);
   });
   const std::string message = last_message();
-  const auto rows = [&]<class Value>(Value* to, const std::vector<Value>& of) {
-    if (to) std::copy_n(of.data() + ranks_.first_row() * columns(), own_points(), to);
+  const auto rows = [&](const rc_array& to, const std::vector<std::byte>& of) {
+    const std::size_t row = row_bytes(to);
+    if (to.data)
+      std::copy_n(of.data() + static_cast<std::size_t>(ranks_.first_row()) * row, static_cast<std::size_t>(ranks_.rows()) * row,
+                  static_cast<std::byte*>(to.data));
   };
-  if (action != &Contact::certify) {
-    rows(outputs.p.in_double, p);
-    rows(outputs.p.in_single, p_single);
-  }
-  rows(outputs.gap.in_double, deformed);
-  rows(outputs.gap.in_single, deformed_single);
+  if (!judged) rows(outputs.p.array, p);
+  rows(outputs.gap.array, deformed);
   set_message(message.c_str());
   return numbers;
 }
@@ -137,8 +134,8 @@ rc_status SharedContact::run(const rc_history& path, std::int64_t& completed) {
                           has_gap = ranks_.of_each(static_cast<char>(today.undeformed_gap != nullptr));
   const std::int32_t want_gap = ranks_.of_each(today.want_gap).front();
   if (ranks_.rows() == 0) {
-    today.undeformed_gap = has_gap.front() != 0 ? stand_in<double>() : nullptr;
-    today.mask = has_mask.front() != 0 ? stand_in<std::uint8_t>() : nullptr;
+    today.undeformed_gap = has_gap.front() != 0 ? &stand_in : nullptr;
+    today.mask = has_mask.front() != 0 ? reinterpret_cast<const std::uint8_t*>(&stand_in) : nullptr;
     today.want_gap = want_gap;
   }
   // The caller's function sees this rank's rows; one that ends the path ends it everywhere.
@@ -154,17 +151,19 @@ rc_status SharedContact::run(const rc_history& path, std::int64_t& completed) {
       rc_result rows = *result;
       if (of.self.alike_) {
         const std::int64_t before = of.self.ranks_.first_row() * of.self.columns();
-        rows.p += before;
-        if (rows.gap) rows.gap += before;
+        rows.p.data = static_cast<double*>(rows.p.data) + before;
+        if (rows.gap.data) rows.gap.data = static_cast<double*>(rows.gap.data) + before;
       }
       return of.self.ranks_.any(of.path.fn(step, &rows, of.path.user) != 0) ? 1 : 0;
     };
   }
-  std::vector<double> gap;
-  std::vector<std::uint8_t> mask;
+  std::vector<std::byte> gap, mask;
   if (alike_) {
-    inner.undeformed_gap = gathered(today.undeformed_gap, gap);
-    inner.mask = gathered(today.mask, mask);
+    const auto whole = [&]<class Value>(const Value*& array, std::vector<std::byte>& all) {
+      array = static_cast<const Value*>(gathered({array, RC_NATIVE, 0, nullptr}, sizeof(Value), all).data);
+    };
+    whole(inner.undeformed_gap, gap);
+    whole(inner.mask, mask);
   }
   return rc::solve_history(*contact_, inner, completed);
 }

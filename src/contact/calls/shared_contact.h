@@ -42,7 +42,8 @@ class SharedContact {
   Numbers run(const rc_step& step, const Outputs& outputs, Action action);
   rc_status run(const rc_history& path, std::int64_t& completed);
   Numbers run_alike(const rc_step& step, const Outputs& outputs, Action action);
-  template <class Value> const Value* gathered(const Value* mine, std::vector<Value>& all) const;
+  // The rows of all ranks, in `all`. native: bytes of a value of RC_NATIVE.
+  rc_const_array gathered(const rc_const_array& mine, std::size_t native, std::vector<std::byte>& all) const;
 
   Ranks ranks_;
   bool alike_;

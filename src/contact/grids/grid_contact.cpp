@@ -33,32 +33,22 @@ StepSurface surface_with(const Indentation& indentation, std::span<const std::ui
   return StepSurface({system.nx, problem.own_rows(), gap, mask, false}, problem.team(), problem.company());
 }
 
-// The gap that a step gives; empty where it gives none.
-GapValues given_gap(const rc_step& step, std::size_t n) {
-  if (step.undeformed_gap) return std::span(step.undeformed_gap, n);
-  if (step.undeformed_gap_single) return std::span(step.undeformed_gap_single, n);
-  return {};
-}
-
 // The surface that this step describes; nothing where it keeps that of the step before.
 std::optional<IndentedSurface> given_surface(const rc_step& step, const GridProblem& problem, const Indentation& indentation) {
   const auto n = static_cast<std::size_t>(problem.own_points());
-  if (step.undeformed_gap && step.undeformed_gap_single)
-    fail(RC_ERR_ARGUMENT, "rc_step.undeformed_gap and rc_step.undeformed_gap_single are both given; set one of them to null");
-  const GapValues gap = given_gap(step, n);
-  const bool given_anew = step.undeformed_gap || step.undeformed_gap_single;
+  const bool given_anew = step.undeformed_gap.data != nullptr;
+  const GapValues gap = given_anew ? GapValues(step.undeformed_gap, n) : problem.surface.gap();
   if (!given_anew && problem.surface.empty())
-    fail(RC_ERR_ARGUMENT, "rc_step.undeformed_gap is null and no earlier step gave one");
-  if (!given_anew && !step.mask) return std::nullopt;
-  const std::span<const std::uint8_t> mask(step.mask, step.mask ? n : 0);
+    fail(RC_ERR_ARGUMENT, "rc_step.undeformed_gap.data is null and no earlier step gave one");
+  if (!given_anew && !step.mask.data) return std::nullopt;
+  const std::span<const std::uint8_t> mask(mask_of(step), step.mask.data ? n : 0);
   if (!indentation.none()) {
     IndentedSurface given{{}, given_anew ? indentation.of(gap) : indentation};
     given.surface = surface_with(given.indentation, mask, problem);
     return given;
   }
   const rc_system& system = problem.system.given;
-  const GivenSurface given{system.nx, problem.own_rows(), given_anew ? gap : problem.surface.gap(), mask,
-                           given_anew && step.borrow != 0};
+  const GivenSurface given{system.nx, problem.own_rows(), gap, mask, given_anew && step.borrow != 0};
   return IndentedSurface{StepSurface(given, problem.team(), problem.company()), {}};
 }
 
@@ -136,14 +126,14 @@ Numbers GridContact::solve(const rc_step& step, const Outputs& outputs) {
 }
 
 Numbers GridContact::certify(const rc_step& step, const Outputs& outputs) {
-  if (!outputs.p.wanted()) fail(RC_ERR_ARGUMENT, "rc_result.p is null: the pressures to certify are expected there");
+  if (!outputs.p.wanted()) fail(RC_ERR_ARGUMENT, "rc_result.p.data is null: the pressures to certify are expected there");
   const StepSurface& last = problem_.surface;
   problem_.company().on_all([&] {
     for (std::int64_t k = 0; k < problem_.own_points(); ++k) {
       const auto i = static_cast<std::size_t>(k);
       const double p = outputs.p.at(i);
       if (!std::isfinite(p)) fail(RC_ERR_ARGUMENT, "rc_result.p[", i, "] = ", p, " is not finite");
-      if (p != 0 && (step.mask ? step.mask[i] == 0 : given_gap(step, 1).empty() && !last.empty() && !last.included(i)))
+      if (p != 0 && (step.mask.data ? mask_of(step)[i] == 0 : !step.undeformed_gap.data && !last.empty() && !last.included(i)))
         fail(RC_ERR_ARGUMENT, "rc_result.p[", i, "] = ", p, " but this point is excluded by the mask");
     }
   });

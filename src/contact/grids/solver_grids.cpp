@@ -22,8 +22,8 @@ rc_step coarse_step(const rc_coarse& request, std::int32_t warm, const double* g
   step.control = request.control;
   step.target = request.control == RC_CONTROL_LOAD ? request.load : request.approach;
   step.warm_start = warm;
-  step.undeformed_gap = gap;
-  step.mask = mask;
+  step.undeformed_gap.data = gap;
+  step.mask.data = mask;
   return step;
 }
 

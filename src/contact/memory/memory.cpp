@@ -49,7 +49,7 @@ void Memory::surface_is(bool same) {
 }
 
 double Memory::ahead(const Step& step) const {
-  if (step.p0 || !step.warm || !last.same_gap || !before.same_gap) return 0;
+  if (step.p0.data || !step.warm || !last.same_gap || !before.same_gap) return 0;
   const bool by_load = step.target.by_load();
   const double newest = by_load ? last.load : last.approach, older = by_load ? before.load : before.approach;
   const double part = (step.target.value - newest) / (newest - older);
@@ -62,9 +62,10 @@ std::vector<double> Memory::start(const Step& step, const TrialSet& trial, doubl
   std::vector<double> p;
   if (nearer) {
     p = nearer->at(trial);
-  } else if (step.p0) {
+  } else if (step.p0.data) {
     p = large_vector<double>(static_cast<std::size_t>(trial.n));
-    for (std::size_t i = 0; i < p.size(); ++i) p[i] = step.p0[trial.point(static_cast<std::int64_t>(i))];
+    for (std::size_t i = 0; i < p.size(); ++i)
+      p[i] = value_at(step.p0, static_cast<std::size_t>(trial.point(static_cast<std::int64_t>(i))));
   } else if (step.warm && !last.pressures.empty()) {
     p = last.pressures.at(trial);
     if (const double part = ahead(step); part != 0) {
@@ -79,14 +80,15 @@ std::vector<double> Memory::start(const Step& step, const TrialSet& trial, doubl
 }
 
 KeptSteps Memory::history(const Step& step) const {
-  const bool from_last = !step.p0 && step.warm && !last.pressures.empty();
+  const bool from_last = !step.p0.data && step.warm && !last.pressures.empty();
   return {from_last ? last.kept : KeptAnswer{}, before.kept, ahead(step), {}};
 }
 
 std::vector<double> Memory::earlier(const Step& step, const TrialSet& trial) const {
   std::vector<double> p;
-  for (std::int64_t i = 0; step.p0 && i < trial.n; ++i) p.push_back(std::max(0.0, step.p0[trial.point(i)]));
-  if (!step.p0 && step.warm && !last.pressures.empty()) p = last.pressures.at(trial);
+  for (std::int64_t i = 0; step.p0.data && i < trial.n; ++i)
+    p.push_back(std::max(0.0, value_at(step.p0, static_cast<std::size_t>(trial.point(i)))));
+  if (!step.p0.data && step.warm && !last.pressures.empty()) p = last.pressures.at(trial);
   return p;
 }
 

@@ -198,7 +198,7 @@ std::optional<Estimate> coarse_estimate(const GridProblem& problem, const Target
 std::optional<Answer> sparse_contact(const GridProblem& problem, const Memory& memory, const Step& step, Attempt& attempt,
                                      std::optional<Estimate>& estimate) {
   const bool by_rows = problem.operators().multiply_by_rows();
-  if (problem.company().keeps_all_points() || step.p0 || !attempt.failed.empty()) return std::nullopt;
+  if (problem.company().keeps_all_points() || step.p0.data || !attempt.failed.empty()) return std::nullopt;
   const std::optional<Choice> choice = choose_for_few(problem.options, problem.system, step.target.control, by_rows);
   if (!choice || !(choice->solver->controls & static_cast<std::uint32_t>(step.target.control))) return std::nullopt;
   if (estimate && !few(count_positive(estimate->pressures.p), problem.system.points(), by_rows)) return std::nullopt;

@@ -29,8 +29,8 @@ std::vector<double> Pressures::at(const TrialSet& other) const {
 }
 
 void Pressures::write(const OutputArray& everywhere, std::int64_t points, const rc_team& team) const {
+  if (!everywhere.wanted()) return;
   const auto write_to = [&]<class Real>(Real* to) {
-    if (!to) return;
     const auto rounded = [](double value) { return static_cast<Real>(value); };
     const bool all = !p.empty() && on.index.empty();
     each_chunk(points, team, [&](std::int64_t begin, std::int64_t count) {
@@ -45,8 +45,10 @@ void Pressures::write(const OutputArray& everywhere, std::int64_t points, const 
         to[on.index[k]] = rounded(p[k]);
     });
   };
-  write_to(everywhere.in_double);
-  write_to(everywhere.in_single);
+  if (everywhere.single())
+    write_to(static_cast<float*>(everywhere.array.data));
+  else
+    write_to(static_cast<double*>(everywhere.array.data));
 }
 
 Pressures Pressures::positive(const rc_team& team) const {

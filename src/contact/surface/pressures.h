@@ -19,9 +19,7 @@ struct Pressures {
   // The pressures at the points of another set.
   std::vector<double> at(const TrialSet& other) const;
   void write(const OutputArray& everywhere, std::int64_t points, const rc_team& team) const;
-  void write(double* everywhere, std::int64_t points, const rc_team& team) const {
-    write(OutputArray{everywhere, nullptr}, points, team);
-  }
+  void write(double* everywhere, std::int64_t points, const rc_team& team) const { write(OutputArray(everywhere), points, team); }
   // The positive pressures, on their points alone.
   Pressures positive(const rc_team& team) const;
 };

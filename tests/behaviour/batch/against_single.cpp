@@ -175,8 +175,8 @@ void fn_sees_each_step_in_order() {
     if (seen[i]++ != step) seen[i] = -100;
     load[3 * i + static_cast<std::size_t>(step)] = result.load;
     for (std::size_t m = 0; m < study.points(); ++m)
-      if (result.p[m] > 0 && std::abs(result.gap[m]) > 1e-9) seen[i] = -100;
-    std::copy_n(result.p, study.points(), p.begin() + static_cast<std::ptrdiff_t>(i * study.points()));
+      if (static_cast<double*>(result.p.data)[m] > 0 && std::abs(static_cast<double*>(result.gap.data)[m]) > 1e-9) seen[i] = -100;
+    std::copy_n(static_cast<double*>(result.p.data), study.points(), p.begin() + static_cast<std::ptrdiff_t>(i * study.points()));
     return false;
   };
   const Outcome outcome = study.solve(3);

@@ -86,9 +86,9 @@ class Contact {
   rc_status solve(std::vector<double>& p) {
     p.assign(hills().size(), untouched);
     rc_step step = cold_step();
-    step.undeformed_gap = hills().data();
+    step.undeformed_gap.data = hills().data();
     rc_result result = RC_RESULT_INIT;
-    result.p = p.data();
+    result.p.data = p.data();
     return solve(step, result);
   }
   rc_status solve(const rc_step& step, rc_result& result) {

@@ -39,22 +39,26 @@ Answer host_answer(Contact& contact, rc_step step, rc_status wanted = RC_OK) {
   Answer answer;
   answer.p.assign(points, untouched);
   answer.gap.assign(points, untouched);
-  answer.result.p = answer.p.data();
-  answer.result.gap = answer.gap.data();
+  answer.result.p.data = answer.p.data();
+  answer.result.gap.data = answer.gap.data();
   if (contact.solve(step, answer.result) != wanted) fail_msg("%s", contact.words().c_str());
   return answer;
 }
 
 rc_step pressed_on_host() {
   rc_step step = cold_step();
-  step.undeformed_gap = hills().data();
+  step.undeformed_gap.data = hills().data();
   return step;
 }
 
+template <class Value> rc_array on_device(OnDevice<Value>& array) {
+  return {array.at(), std::is_same_v<Value, float> ? RC_SINGLE : RC_NATIVE, 0, memory};
+}
+rc_const_array read_only(const rc_array& array) { return {array.data, array.type, 0, array.memory}; }
+
 rc_step pressed_on_device(OnDevice<double>& gap) {
   rc_step step = cold_step();
-  step.undeformed_gap = gap.at();
-  step.memory = memory;
+  step.undeformed_gap = read_only(on_device(gap));
   return step;
 }
 
@@ -80,14 +84,12 @@ void answers_are_those_of_arrays_on_the_host(void**) {
       step.control = control;
       step.target = control == RC_CONTROL_LOAD ? 3 : 0.6;
       rc_result result = RC_RESULT_INIT;
-      result.p = p.at();
-      result.gap = deformed.at();
-      result.memory = memory;
+      result.p = on_device(p);
+      result.gap = on_device(deformed);
       if (there.solve(step, result) != RC_OK) fail_msg("%s: %s", solver, there.words().c_str());
-      assert_ptr_equal(result.p, p.at());
-      assert_ptr_equal(result.gap, deformed.at());
-      step.undeformed_gap = hills().data();
-      step.memory = nullptr;
+      assert_ptr_equal(result.p.data, p.at());
+      assert_ptr_equal(result.gap.data, deformed.at());
+      step.undeformed_gap = {hills().data(), RC_NATIVE, 0, nullptr};
       const Answer wanted = host_answer(here, step);
       assert_true(p.values() == wanted.p && deformed.values() == wanted.gap && result.load == wanted.result.load);
     }
@@ -103,19 +105,16 @@ void single_precision_starts_and_masks_are_taken_too(void**) {
   OnDevice<double> start(0.01);
   OnDevice<std::uint8_t> mask(excluded);
   rc_step step = cold_step();
-  step.memory = memory;
-  step.undeformed_gap_single = gap.at();
-  step.p0 = start.at();
-  step.mask = mask.at();
+  step.undeformed_gap = read_only(on_device(gap));
+  step.p0 = read_only(on_device(start));
+  step.mask = read_only(on_device(mask));
   rc_result result = RC_RESULT_INIT;
-  result.memory = memory;
-  result.p_single = p.at();
-  result.gap_single = deformed.at();
+  result.p = on_device(p);
+  result.gap = on_device(deformed);
   if (there.solve(step, result) != RC_OK) fail_msg("%s", there.words().c_str());
-  step.memory = nullptr;
-  step.undeformed_gap_single = with_holes.data();
-  step.p0 = start.values().data();
-  step.mask = excluded.data();
+  step.undeformed_gap = {with_holes.data(), RC_SINGLE, 0, nullptr};
+  step.p0 = {start.values().data(), RC_NATIVE, 0, nullptr};
+  step.mask = {excluded.data(), RC_NATIVE, 0, nullptr};
   const Answer wanted = host_answer(here, step);
   for (std::size_t i = 0; i < points; ++i) {
     assert_true(p.values()[i] == static_cast<float>(wanted.p[i]));
@@ -161,12 +160,11 @@ void pressures_on_the_device_are_certified(void**) {
   assert_int_equal(rc_contact_certify(here.get(), &step, &answer.result), RC_OK);
   step = pressed_on_device(gap);
   rc_result result = RC_RESULT_INIT;
-  result.p = p.at();
-  result.gap = deformed.at();
-  result.memory = memory;
+  result.p = on_device(p);
+  result.gap = on_device(deformed);
   assert_int_equal(rc_contact_certify(there.get(), &step, &result), RC_OK);
   assert_true(p.values() == answer.p && deformed.values() == answer.gap);
-  result.p = wrong.at();
+  result.p.data = wrong.at();
   assert_int_not_equal(rc_contact_certify(there.get(), &step, &result), RC_OK);
 }
 
@@ -186,14 +184,15 @@ void what_is_not_on_a_device_is_refused(void**) {
       std::vector<double> p(points, untouched);
       rc_step step = pressed_on_host();
       rc_result result = RC_RESULT_INIT;
-      result.p = p.data();
+      result.p.data = p.data();
       if (of_result)
-        result.memory = each.memory;
+        result.p.memory = each.memory;
       else
-        step.memory = each.memory;
+        step.undeformed_gap.memory = each.memory;
       assert_int_equal(contact.solve(step, result), each.status);
       expect_words(contact, each.words);
-      if (each.status == RC_ERR_INCOMPATIBLE) expect_words(contact, of_result ? "rc_result.memory" : "rc_step.memory");
+      if (each.status == RC_ERR_INCOMPATIBLE)
+        expect_words(contact, of_result ? "rc_result.p.memory" : "rc_step.undeformed_gap.memory");
       expect_untouched(p);
       assert_int_equal(contact.solve(p), RC_OK);
     }
@@ -220,8 +219,7 @@ void copies_may_fail(void**) {
       Contact contact;
       OnDevice<double> gap(hills()), p(untouched);
       rc_result result = RC_RESULT_INIT;
-      result.p = p.at();
-      result.memory = memory;
+      result.p = on_device(p);
       host_faults() = {.fault = fault, .at = call};
       assert_int_equal(contact.solve(pressed_on_device(gap), result), RC_ERR_EXTERNAL);
       host_faults() = {};

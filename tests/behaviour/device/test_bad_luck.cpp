@@ -84,9 +84,9 @@ void coarser_grids_may_fail(void**) {
   const std::vector<double> gap = hills_of(n);
   std::vector<double> p(gap.size());
   rc_step step = cold_step();
-  step.undeformed_gap = gap.data();
+  step.undeformed_gap.data = gap.data();
   rc_result result = RC_RESULT_INIT;
-  result.p = p.data();
+  result.p.data = p.data();
   const auto solved = [&](Contact& contact, Fault fault, std::int64_t at) {
     p.assign(gap.size(), untouched);
     host_faults() = {.fault = fault, .at = at};
@@ -154,12 +154,12 @@ void a_history_goes_on_elsewhere(void**) {
   Contact contact, healthy;
   std::vector<double> p(hills().size()), wanted(p);
   rc_step step = cold_step();
-  step.undeformed_gap = hills().data();
+  step.undeformed_gap.data = hills().data();
   step.warm_start = 1;
   rc_result result = RC_RESULT_INIT;
   const auto at = [&](Contact& on, double target, std::vector<double>& to) {
     step.target = target;
-    result.p = to.data();
+    result.p.data = to.data();
     return on.solve(step, result);
   };
   for (Contact* each : {&contact, &healthy}) assert_int_equal(at(*each, 0.4, p), RC_OK);
@@ -226,9 +226,9 @@ void auto_passes_over_a_device_that_fails(void**) {
     contact.use("auto", "auto");
     std::vector<double> p(hills().size());
     rc_step step = cold_step();
-    step.undeformed_gap = hills().data();
+    step.undeformed_gap.data = hills().data();
     rc_result result = RC_RESULT_INIT;
-    result.p = p.data();
+    result.p.data = p.data();
     host_faults() = {.fault = fault, .at = 60};
     if (contact.solve(step, result) != RC_OK) fail_msg("%s", contact.words().c_str());
     host_faults() = {};

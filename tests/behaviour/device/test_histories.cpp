@@ -37,7 +37,7 @@ struct Step {
 Step solved(Contact& contact, rc_step step) {
   Step done{std::vector<double>(hills().size(), untouched)};
   rc_result result = RC_RESULT_INIT;
-  result.p = done.p.data();
+  result.p.data = done.p.data();
   host_faults() = {.counts = true};
   const rc_status status = contact.solve(step, result);
   done.to_device = host_faults().to_device;
@@ -61,7 +61,7 @@ rc_step warm_step(double target, bool first, std::int32_t control = RC_CONTROL_A
   step.control = control;
   step.target = target;
   step.warm_start = 1;
-  if (first) step.undeformed_gap = hills().data();
+  if (first) step.undeformed_gap.data = hills().data();
   return step;
 }
 
@@ -81,9 +81,9 @@ void a_step_starts_from_the_pressures_of_the_one_before(void**) {
   std::vector<double> p(gap.size());
   Contact contact(1048576, n);
   rc_step step = cold_step();
-  step.undeformed_gap = gap.data();
+  step.undeformed_gap.data = gap.data();
   rc_result cold = RC_RESULT_INIT, again = RC_RESULT_INIT;
-  cold.p = again.p = p.data();
+  cold.p.data = again.p.data = p.data();
   assert_int_equal(contact.solve(step, cold), RC_OK);
   step.warm_start = 1;
   assert_int_equal(contact.solve(step, again), RC_OK);
@@ -97,7 +97,7 @@ void plans_and_memory_stay_from_step_to_step(void**) {
   const rc_system system = grid_of(side);
   assert_int_equal(rc_contact_create(&system, contact.options(), &other), RC_OK);
   rc_step step = cold_step();
-  step.undeformed_gap = hills().data();
+  step.undeformed_gap.data = hills().data();
   rc_result result = RC_RESULT_INIT;
   const auto calls_of = [&](rc_contact* on) {
     host_faults() = {.fault = Fault::once, .at = 0};
@@ -130,7 +130,7 @@ void pressures_stay_on_the_device_from_step_to_step(void**) {
           Pair pair(system);
           for (int k = 0; k < 7; ++k) {
             rc_step step = warm_step(control == RC_CONTROL_LOAD ? loads[k] : approaches[k], k == 0, control);
-            if (masked && k == 0) step.mask = mask.data();
+            if (masked && k == 0) step.mask.data = mask.data();
             const std::int64_t bytes = saved(pair, step);
             if ((bytes > 0) != (k > 0))
               fail_msg("control %d, step %d: %lld bytes saved", control, k, static_cast<long long>(bytes));
@@ -165,9 +165,9 @@ void other_starts_are_sent(void**) {
   assert_true(saved(pair, warm_step(0.5, false)) > 0);
   const std::vector<double> own(hills().size(), 0.01);
   rc_step step = warm_step(0.5, false);
-  step.p0 = own.data();
+  step.p0.data = own.data();
   assert_int_equal(saved(pair, step), 0);
-  step.p0 = nullptr;
+  step.p0.data = nullptr;
   assert_true(saved(pair, step) > 0);
   for (Contact* each : {&pair.keeps, &pair.forgets}) each->use("haar-cg", "cuda-host");
   saved(pair, warm_step(0.55, false));
@@ -185,7 +185,7 @@ void what_is_kept_makes_no_step_fail(void**) {
     std::vector<double> p(hills().size());
     rc_step step = warm_step(4.5, true);
     rc_result result = RC_RESULT_INIT;
-    result.p = p.data();
+    result.p.data = p.data();
     return contact.solve(step, result) != RC_OK;
   };
   double least = 0, enough = 1;  // [MiB]
@@ -205,7 +205,7 @@ void any_call_of_a_warm_step_may_fail(void**) {
     solved(contact, warm_step(0.45, false));
     p.assign(hills().size(), untouched);
     rc_result result = RC_RESULT_INIT;
-    result.p = p.data();
+    result.p.data = p.data();
     host_faults() = {.fault = fault, .at = at};
     const rc_status status = contact.solve(warm_step(0.5, false), result);
     return status;

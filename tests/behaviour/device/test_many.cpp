@@ -54,8 +54,8 @@ void expect_certified(const Scene& s) {
       rc_step step = RC_STEP_INIT;
       step.control = s.control;
       step.target = s.targets[at];
-      if (k == 0) step.undeformed_gap = s.gaps.data() + static_cast<std::size_t>(i) * s.points();
-      if (k == 0 && !s.masks.empty()) step.mask = s.masks.data() + static_cast<std::size_t>(i) * s.points();
+      if (k == 0) step.undeformed_gap.data = s.gaps.data() + static_cast<std::size_t>(i) * s.points();
+      if (k == 0 && !s.masks.empty()) step.mask.data = s.masks.data() + static_cast<std::size_t>(i) * s.points();
       const rc::Outputs given{{record.p.data() + at * s.points()}, {}};
       const rc::Numbers own = contact.retrace(step, told.compression, given);
       rc_result result = rc::result_with(given);

@@ -70,7 +70,7 @@ void a_surface_given_again_is_the_original() {
   for (const double share : {0.8, 1.0, 0.5, 1.2}) {
     const Problem step = at(problem, share);
     rc_step kept = step.step();
-    if (share != 0.8) kept.undeformed_gap = nullptr;
+    if (share != 0.8) kept.undeformed_gap.data = nullptr;
     const Answer a = once.solve(kept), b = again.solve(step);
     check_status(a, RC_OK);
     check_same(a.p, b.p, "p");
@@ -190,7 +190,7 @@ void a_restored_history_goes_on() {
     }
     const Problem present = at(problem, share);
     rc_step step = present.step();
-    if (!answers.empty()) step.undeformed_gap = nullptr;
+    if (!answers.empty()) step.undeformed_gap.data = nullptr;
     answers.push_back(whole.solve(step));
     check_status(answers.back(), RC_OK);
     if (answers.size() <= 3) continue;

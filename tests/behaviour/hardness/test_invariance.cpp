@@ -158,7 +158,7 @@ void the_start_does_not_matter(std::int32_t boundary, const Pair& pair) {
       Field start(problem.points());
       for (std::size_t i = 0; i < start.size(); ++i) start[i] = i % 3 == 0 ? factor * problem.system.hardness : 0;
       rc_step step = problem.step();
-      step.p0 = start.data();
+      step.p0.data = start.data();
       const Answer other = Contact(problem, pair).solve(step);
       check_status(other, RC_OK);
       check_near(other.p, answer.p, 1e-9, "p");

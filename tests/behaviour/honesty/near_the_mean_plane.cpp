@@ -39,7 +39,7 @@ Problem waves(std::int64_t side = 32) { return rough_problem(side, side, RC_BOUN
 void check_load(const Problem& problem, double exact, const Pair& pair, double tol, const Field* start) {
   const Contact contact(problem, pair, {{RC_OPT_TOL, text(tol)}, {RC_OPT_MAX_ITER, "20000"}});
   rc_step step = problem.step();
-  if (start) step.p0 = start->data();
+  if (start) step.p0.data = start->data();
   const Answer answer = contact.solve(step);
   const std::string what = pair.name() + " at " + text(tol) + ": load " + text(answer.result.load) + " instead of " + text(exact);
   check(answer.status >= 0, answer.message);

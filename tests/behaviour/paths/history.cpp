@@ -18,9 +18,10 @@ struct Watcher {
 
 std::int32_t watch(std::int64_t step, const rc_result* result, void* user) {
   Watcher& watcher = *static_cast<Watcher*>(user);
-  Seen seen{*result, Field(result->p, result->p + watcher.points), {}};
-  if (result->gap) seen.gap.assign(result->gap, result->gap + watcher.points);
-  seen.result.p = seen.result.gap = nullptr;
+  Seen seen{*result, Field(static_cast<double*>(result->p.data), static_cast<double*>(result->p.data) + watcher.points), {}};
+  if (result->gap.data)
+    seen.gap.assign(static_cast<double*>(result->gap.data), static_cast<double*>(result->gap.data) + watcher.points);
+  seen.result.p.data = seen.result.gap.data = nullptr;
   watcher.history.seen.push_back(std::move(seen));
   return watcher.request.ends(step);
 }

@@ -70,11 +70,11 @@ std::vector<Answer> answers(const Contact& contact, const Problem& problem, cons
   for (const double target : targets) {
     rc_step step = problem.step();
     step.target = target;
-    if (!with_surface || !found.empty()) step.undeformed_gap = nullptr, step.mask = nullptr;
+    if (!with_surface || !found.empty()) step.undeformed_gap.data = nullptr, step.mask.data = nullptr;
     Answer answer;
     answer.p.assign(problem.points(), 0);
     answer.result = RC_RESULT_INIT;
-    answer.result.p = answer.p.data();
+    answer.result.p.data = answer.p.data();
     answer.status = rc_contact_solve(contact.handle(), &step, &answer.result);
     check(answer.status == RC_OK || answer.status == RC_WITHIN_GOAL, rc_last_error());
     found.push_back(std::move(answer));

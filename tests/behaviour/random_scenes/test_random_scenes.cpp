@@ -99,10 +99,10 @@ void run(const Scene& scene, Record& record) {
     problem.control = step.control;
     problem.target = step.target;
     rc_step asked = problem.step();
-    if (known) asked.undeformed_gap = nullptr, asked.mask = nullptr;
+    if (known) asked.undeformed_gap.data = nullptr, asked.mask.data = nullptr;
     asked.warm_start = step.warm;
     const std::optional<Field> start = start_pressures(step.start, problem, last);
-    if (start) asked.p0 = start->data();
+    if (start) asked.p0.data = start->data();
     const pairs::Answer answer = contact.solve(asked);
     check(answer.status == step.expected, step.name + ": " + residuals(answer) + "; " + answer.message);
     if (answer.status < 0) continue;

@@ -69,8 +69,8 @@ static job job_of(const scene* s) {
   fill_rows(s, j.first, j.count, j.gap, j.mask);
   j.step.control = s->control;
   j.step.target = target_of(s);
-  j.step.undeformed_gap = j.gap;
-  j.result.p = j.p;
+  j.step.undeformed_gap.data = j.gap;
+  j.result.p.data = j.p;
   rc_options_create(NULL, &j.options);
   return j;
 }
@@ -112,25 +112,25 @@ static void disagreements(const scene* s) {
   check_failed(rc_mpi_contact_solve(contact, &j.step, &j.result), ranks > 1 ? RC_ERR_ARGUMENT : RC_OK,
                ranks > 1 ? "disagree on rc_step.target" : "", "another target");
   j.step.target = target;
-  if (rank == last) j.step.mask = j.mask;
+  if (rank == last) j.step.mask.data = j.mask;
   check_failed(rc_mpi_contact_solve(contact, &j.step, &j.result), ranks > 1 ? RC_ERR_ARGUMENT : RC_OK,
                ranks > 1 ? "disagree on rc_step.mask: given and none" : "", "a mask on one rank");
-  j.step.mask = NULL;
+  j.step.mask.data = NULL;
   const double good = j.gap[3];
   if (rank == last) j.gap[3] = NAN;
   check_failed(rc_mpi_contact_solve(contact, &j.step, &j.result), RC_ERR_ARGUMENT, "not finite, first at index ",
                "NaN on one rank");
   j.gap[3] = good;
-  j.step.p0 = j.p;
+  j.step.p0.data = j.p;
   for (int64_t i = 0; i < s->nx * j.count; ++i) j.p[i] = 0;
   if (rank == last) j.p[5] = INFINITY;
   check_failed(rc_mpi_contact_solve(contact, &j.step, &j.result), RC_ERR_ARGUMENT, "rc_step.p0[5]",
                "an infinite start on one rank");
-  j.step.p0 = NULL;
-  if (rank == last) j.step.memory = "cuda";
+  j.step.p0.data = NULL;
+  if (rank == last) j.step.undeformed_gap.memory = "cuda";
   check_failed(rc_mpi_contact_solve(contact, &j.step, &j.result), RC_ERR_INCOMPATIBLE, "arrays in the host's memory alone",
                "a device's memory on one rank");
-  j.step.memory = NULL;
+  j.step.undeformed_gap.memory = NULL;
   j.step.target = -1;
   j.step.control = RC_CONTROL_LOAD;
   check_failed(rc_mpi_contact_solve(contact, &j.step, &j.result), RC_ERR_INFEASIBLE, "negative", "a negative load");

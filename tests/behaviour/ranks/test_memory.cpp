@@ -66,12 +66,12 @@ class Job {
     rc_step step = RC_STEP_INIT;
     step.control = s_.control;
     step.target = target_of(&s_);
-    step.undeformed_gap = gap_.data();
+    step.undeformed_gap.data = gap_.data();
     step.warm_start = 0;
-    if (s_.mask != whole) step.mask = mask_.data();
+    if (s_.mask != whole) step.mask.data = mask_.data();
     rc_result result = RC_RESULT_INIT;
-    result.p = p.data();
-    result.gap = deformed_.data();
+    result.p.data = p.data();
+    result.gap.data = deformed_.data();
     support::fail_allocation(fails_at);
     rc_status status = contact_ ? RC_OK : rc_mpi_contact_create(MPI_COMM_WORLD, &system_, options_, &contact_);
     if (status == RC_OK) status = rc_mpi_contact_solve(contact_, &step, &result);

@@ -68,14 +68,11 @@ static void prepare(const scene* s, const rows* r, rc_step* step, rc_result* res
   *result = (rc_result)RC_RESULT_INIT;
   step->control = s->control;
   step->target = target_of(s);
-  if (s->single)
-    step->undeformed_gap_single = r->gap_single;
-  else
-    step->undeformed_gap = r->gap;
-  if (s->mask != whole) step->mask = r->mask;
-  result->p = s->single ? NULL : r->p;
-  result->p_single = s->single ? r->p_single : NULL;
-  result->gap = r->deformed;
+  step->undeformed_gap.data = s->single ? (const void*)r->gap_single : r->gap;
+  step->undeformed_gap.type = result->p.type = s->single ? RC_SINGLE : RC_NATIVE;
+  if (s->mask != whole) step->mask.data = r->mask;
+  result->p.data = s->single ? (void*)r->p_single : r->p;
+  result->gap.data = r->deformed;
 }
 
 static rc_options* options_of(const scene* s, int64_t threads) {
@@ -195,7 +192,6 @@ static void run(const scene* s, int64_t threads) {
   const rc_status certified = s->single || s->hardness > 0 ? RC_UNCERTIFIED : RC_OK;
   rc_result again = RC_RESULT_INIT;
   again.p = result.p;
-  again.p_single = result.p_single;
   const rc_status status_again = rc_mpi_contact_certify(contact, &step, &again);
   check(status_again == RC_OK || status_again == certified, s->name, "certify");
   check(fabs(again.load - load) <= 1e-6 * load, s->name, "certified load");
@@ -213,7 +209,7 @@ typedef struct watched {
 
 static int32_t watch(int64_t step, const rc_result* result, void* user) {
   const watched* of = user;
-  double* p = all_rows(result->p, (size_t)of->s->nx * sizeof(double), of->count, of->s->ny);
+  double* p = all_rows(((double*)result->p.data), (size_t)of->s->nx * sizeof(double), of->count, of->s->ny);
   if (rank == 0)
     printf("history, %s, step %d: contacts %lld, p %016llx, result %016llx\n", of->s->name, (int)step,
            (long long)result->contacts,
@@ -310,7 +306,7 @@ static void one_rank_violates(int changed) {
     const double values[kinds] = {1.5 * before, -0.1 * before, NAN};
     if (rank == changed && count > 0) r.p[highest] = values[kind];
     rc_result mine = RC_RESULT_INIT;
-    mine.p = r.p;
+    mine.p.data = r.p;
     const rc_status status = rc_mpi_contact_certify(contact, &step, &mine);
     double* p = all_rows(r.p, (size_t)s->nx * sizeof(double), count, s->ny);
     if (rank == 0) {

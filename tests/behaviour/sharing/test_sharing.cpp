@@ -81,9 +81,9 @@ Answer pressed(rc_contact* contact, double approach) {
   rc_step step = RC_STEP_INIT;
   step.control = RC_CONTROL_APPROACH;
   step.target = approach;
-  step.undeformed_gap = hills().data();
+  step.undeformed_gap.data = hills().data();
   rc_result result = RC_RESULT_INIT;
-  result.p = answer.p.data();
+  result.p.data = answer.p.data();
   answer.status = contact ? rc_contact_solve(contact, &step, &result) : RC_ERR_ARGUMENT;
   answer.load = result.load;
   answer.stiffness = std::isnan(result.stiffness) ? 0 : result.stiffness;

@@ -200,7 +200,7 @@ void steps_near_each_other_take_few_products() {
       rc_step next = problem.step();
       next.control = control;
       next.target = target_of(step);
-      if (step > 0) next.undeformed_gap = nullptr;
+      if (step > 0) next.undeformed_gap.data = nullptr;
       const Answer near = contact.solve(next), slow = plain.solve(next), same = other.solve(next);
       check_status(near, RC_OK, "step");
       check_near(near.p, slow.p, 1e-6, "pressures");

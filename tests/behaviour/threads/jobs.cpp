@@ -74,9 +74,9 @@ Sequence solve(const Job& job, const rc_options* options, rc_progress_fn progres
     rc_step step = RC_STEP_INIT;
     step.control = job.control;
     step.target = share * (job.control == RC_CONTROL_LOAD ? 6 : 0.12);
-    step.undeformed_gap = gap.data();
+    step.undeformed_gap.data = gap.data();
     rc_result result = RC_RESULT_INIT;
-    result.p = sequence.p.data();
+    result.p.data = sequence.p.data();
     status = rc_contact_solve(made, &step, &result);
     if (status != RC_OK) return {{}, complain("rc_contact_solve", status)};
   }

@@ -156,7 +156,7 @@ void another_thread_cancels(void**) {
     });
     rc_step step = RC_STEP_INIT;
     step.control = RC_CONTROL_APPROACH;
-    step.undeformed_gap = gap.data();
+    step.undeformed_gap.data = gap.data();
     step.target = 1;
     rc_result result = RC_RESULT_INIT;
     const rc_status status = rc_contact_solve(made, &step, &result);
@@ -180,7 +180,7 @@ void a_contact_serves_one_thread_and_tells_the_others(void**) {
     for (int round = 0; round < rounds(60); ++round) {
       rc_step step = RC_STEP_INIT;
       step.control = RC_CONTROL_APPROACH;
-      step.undeformed_gap = gap.data();
+      step.undeformed_gap.data = gap.data();
       step.target = 0.2 + 0.1 * member;
       rc_result result = RC_RESULT_INIT;
       rc_status status = RC_OK;

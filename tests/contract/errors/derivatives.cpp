@@ -93,7 +93,7 @@ Outcome within_a_solve() {
 void dense(Request& request) {
   request.scene = dense_scene();
   request.scene.system.dense = request.scene.dense.data();
-  request.scene.step.undeformed_gap = request.scene.gap.data();
+  request.scene.step.undeformed_gap.data = request.scene.gap.data();
 }
 
 struct Conduct {

@@ -233,7 +233,7 @@ Section null_pointers() {
            [] { return with_contact([](rc_contact* c, const Scene& s) { return rc_contact_certify(c, &s.step, nullptr); }); }},
           {"`rc_contact_certify`: result.p is null",
            refused,
-           {"rc_contact_certify: rc_result.p is null: the pressures to certify are expected"},
+           {"rc_contact_certify: rc_result.p.data is null: the pressures to certify are expected"},
            [] {
              rc_result result = RC_RESULT_INIT;
              return with_contact([&](rc_contact* c, const Scene& s) { return rc_contact_certify(c, &s.step, &result); });
@@ -291,7 +291,7 @@ Section null_pointers() {
            {},
            [] {
              const Scene scene;
-             answer().result()->p = answer().result()->gap = nullptr;
+             answer().result()->p.data = answer().result()->gap.data = nullptr;
              return solve(scene);
            }},
       }};

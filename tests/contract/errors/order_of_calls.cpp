@@ -101,12 +101,12 @@ Outcome refused_step_forgotten() {
   const double load = answer().result()->load;
   const std::vector<double> other(points, 0.0);
   rc_step bad = scene.step;
-  bad.undeformed_gap = other.data();
+  bad.undeformed_gap.data = other.data();
   bad.target = nan;
   answer().prepare();
   assert_int_equal(rc_contact_solve(contact.get(), &bad, answer().result()), RC_ERR_ARGUMENT);
   assert_true(answer().untouched());
-  scene.step.undeformed_gap = nullptr;
+  scene.step.undeformed_gap.data = nullptr;
   const Outcome outcome = solve(contact.get(), scene);
   assert_true(answer().result()->load == load);
   return outcome;
@@ -118,7 +118,7 @@ Outcome after_reset() {
   assert_int_equal(solve(contact.get(), scene), RC_OK);
   assert_int_equal(rc_contact_reset(contact.get()), RC_OK);
   answer().prepare();
-  scene.step.undeformed_gap = nullptr;
+  scene.step.undeformed_gap.data = nullptr;
   return solve(contact.get(), scene);
 }
 
@@ -128,9 +128,9 @@ Outcome result_over_its_input() {
   assert_int_equal(solve(scene), RC_OK);
   const std::vector<double> p = answer().p(), gap = answer().gap();
   std::vector<double> start(points, 0.5);
-  scene.step.p0 = start.data();
-  answer().result()->p = start.data();
-  answer().result()->gap = scene.gap.data();
+  scene.step.p0.data = start.data();
+  answer().result()->p.data = start.data();
+  answer().result()->gap.data = scene.gap.data();
   const Outcome outcome = solve(scene, options_with({{"tol", "1e-12"}}).get());
   for (std::size_t i = 0; i < p.size(); ++i) {
     assert_true(start[i] - p[i] < 1e-7 && p[i] - start[i] < 1e-7);
@@ -236,7 +236,7 @@ Section order_of_calls() {
               {"step without a gap after a refused step", RC_OK, {}, refused_step_forgotten},
               {"step without a gap after a reset",
                RC_ERR_ARGUMENT,
-               {"rc_step.undeformed_gap is null and no earlier step gave one"},
+               {"rc_step.undeformed_gap.data is null and no earlier step gave one"},
                after_reset},
               {"result.p over step.p0, result.gap over step.undeformed_gap", RC_OK, {}, result_over_its_input},
               {"context destroyed before its options and contacts", RC_OK, {}, context_destroyed_first},

@@ -30,7 +30,7 @@ template <class Spoil> auto restored(const Spoil& spoil) {
     spoil(stand);
     const ContactHandle contact = made(stand.scene);
     const Outcome outcome = rc_contact_restore(contact.get(), &stand.state);
-    stand.scene.step.undeformed_gap = nullptr;
+    stand.scene.step.undeformed_gap.data = nullptr;
     assert_int_equal(solve(contact.get(), stand.scene), RC_ERR_ARGUMENT);
     return outcome;
   };

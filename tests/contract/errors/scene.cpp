@@ -19,10 +19,8 @@ void Answer::prepare() {
   gap_.assign(points, poison);
   std::memset(static_cast<void*>(&result_), 0x5a, sizeof result_);
   result_.struct_size = sizeof result_;
-  result_.p = p_.data();
-  result_.gap = gap_.data();
-  result_.p_single = result_.gap_single = nullptr;
-  result_.memory = nullptr;
+  result_.p = {p_.data(), RC_NATIVE, 0, nullptr};
+  result_.gap = {gap_.data(), RC_NATIVE, 0, nullptr};
   std::memcpy(static_cast<void*>(&before_), &result_, sizeof result_);
 }
 
@@ -37,7 +35,7 @@ Scene::Scene() : gap(points) {
   system.nx = system.ny = side;
   step.control = RC_CONTROL_APPROACH;
   step.target = 0.55;
-  step.undeformed_gap = gap.data();
+  step.undeformed_gap.data = gap.data();
 }
 
 Scene periodic_scene() {

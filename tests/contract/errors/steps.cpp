@@ -63,7 +63,7 @@ Outcome all_masked(std::int32_t control, double target) {
   Scene scene;
   const std::vector<std::uint8_t> mask(points, 0);
   std::fill(scene.gap.begin(), scene.gap.end(), nan);
-  scene.step.mask = mask.data();
+  scene.step.mask.data = mask.data();
   scene.step.control = control;
   scene.step.target = target;
   return target > 0 && control == RC_CONTROL_LOAD ? Outcome(solve(scene)) : no_contact(scene);
@@ -74,7 +74,7 @@ Outcome nan_under_the_mask() {
   std::vector<std::uint8_t> mask(points, 1);
   mask[2] = 0;
   scene.gap[2] = nan;
-  scene.step.mask = mask.data();
+  scene.step.mask.data = mask.data();
   const Outcome outcome = solve(scene);
   assert_true(answer().p()[2] == 0 && answer().result()->load > 0);
   return outcome;
@@ -84,7 +84,7 @@ Outcome start_with(double value) {
   Scene scene;
   std::vector<double> p0(points, 0.0);
   p0[5] = value;
-  scene.step.p0 = p0.data();
+  scene.step.p0.data = p0.data();
   return solve(scene);
 }
 
@@ -93,12 +93,12 @@ Outcome mask_lifted_over_nan() {
   std::vector<std::uint8_t> mask(points, 1);
   mask[2] = 0;
   scene.gap[2] = nan;
-  scene.step.mask = mask.data();
+  scene.step.mask.data = mask.data();
   const ContactHandle contact = made(scene);
   assert_int_equal(solve(contact.get(), scene), RC_OK);
   answer().prepare();
   mask[2] = 1;
-  scene.step.undeformed_gap = nullptr;
+  scene.step.undeformed_gap.data = nullptr;
   return solve(contact.get(), scene);
 }
 
@@ -106,11 +106,11 @@ Outcome certify(double value, bool masked) {
   Scene scene;
   std::vector<std::uint8_t> mask(points, 1);
   mask[0] = 0;
-  if (masked) scene.step.mask = mask.data();
+  if (masked) scene.step.mask.data = mask.data();
   std::vector<double> p(points, 0.0);
   p[0] = value;
   rc_result result = RC_RESULT_INIT;
-  result.p = p.data();
+  result.p.data = p.data();
   const ContactHandle contact = made(scene);
   return rc_contact_certify(contact.get(), &scene.step, &result);
 }
@@ -147,21 +147,27 @@ Section steps() {
           {"p0 with NaN", refused, {"rc_step.p0[5] = nan is not finite"}, [] { return start_with(nan); }},
           {"p0 with infinity", refused, {"rc_step.p0[5] = inf is not finite"}, [] { return start_with(infinity); }},
           {"p0 negative: taken as 0", RC_OK, {}, [] { return start_with(-1e300); }},
-          {"no gap ever given", refused, {"rc_step.undeformed_gap is null and no earlier step gave one"}, step_with([](Scene& s) {
-             s.step.undeformed_gap = nullptr;
-           })},
-          {"gap in 8 and in 4 bytes a point",
+          {"no gap ever given",
            refused,
-           {"rc_step.undeformed_gap and rc_step.undeformed_gap_single are both given; set one of them to null"},
-           step_with([](Scene& s) {
-             static const float gap[16] = {};
-             s.step.undeformed_gap_single = gap;
+           {"rc_step.undeformed_gap.data is null and no earlier step gave one"},
+           step_with([](Scene& s) { s.step.undeformed_gap.data = nullptr; })},
+          {"gap of no type",
+           refused,
+           {"rc_step.undeformed_gap.type = 7 is neither RC_NATIVE nor RC_SINGLE"},
+           step_with([](Scene& s) { s.step.undeformed_gap.type = 7; })},
+          {"mask of floats", refused, {"rc_step.mask.type = 1 is not RC_NATIVE"}, step_with([](Scene& s) {
+             s.step.mask.type = RC_SINGLE;
+           })},
+          {"reserved member of an array", refused, {"rc_step.p0.reserved = 1 must be 0"}, step_with([](Scene& s) {
+             s.step.p0.reserved = 1;
            })},
           {"memory = \"dense\", which has no device",
            RC_ERR_INCOMPATIBLE,
-           {"rc_step.memory = \"dense\": this backend has no device with a memory of its own"},
-           step_with([](Scene& s) { s.step.memory = "dense"; })},
-          {"memory = \"nowhere\"", RC_ERR_NO_BACKEND, {"nowhere"}, step_with([](Scene& s) { s.step.memory = "nowhere"; })},
+           {"rc_step.undeformed_gap.memory = \"dense\": this backend has no device with a memory of its own"},
+           step_with([](Scene& s) { s.step.undeformed_gap.memory = "dense"; })},
+          {"memory = \"nowhere\"", RC_ERR_NO_BACKEND, {"nowhere"}, step_with([](Scene& s) {
+             s.step.undeformed_gap.memory = "nowhere";
+           })},
           {"warm_start = 9", refused, {"rc_step.warm_start = 9 is neither 0 nor 1"}, step_with([](Scene& s) {
              s.step.warm_start = 9;
            })},

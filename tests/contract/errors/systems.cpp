@@ -320,7 +320,7 @@ Outcome certified_by_an_indefinite_product() {
   for (std::int64_t i = 0; i < points; ++i) p.push_back(i % 2 == 0 ? 1 : -1);
   rc_result result{};
   result.struct_size = sizeof result;
-  result.p = p.data();
+  result.p.data = p.data();
   return rc_contact_certify(contact.get(), &scene.step, &result);
 }
 

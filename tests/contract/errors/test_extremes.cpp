@@ -42,8 +42,8 @@ void solve_one(Draw& draw, rc_options* options) {
   rc_step step = RC_STEP_INIT;
   step.control = draw.rarely(2) ? RC_CONTROL_LOAD : RC_CONTROL_APPROACH;
   step.target = 2 * draw.fraction() * (draw.rarely(2) ? draw.magnitude() : 1) * (draw.rarely(2) ? height : 1);
-  step.undeformed_gap = gap.data();
-  if (draw.rarely(3)) step.p0 = p0.data();
+  step.undeformed_gap.data = gap.data();
+  if (draw.rarely(3)) step.p0.data = p0.data();
   for (const char* key : {RC_OPT_SOLVER, RC_OPT_BACKEND}) {
     constexpr const char* solvers[] = {"auto", "nnls", "polonsky-keer"};
     constexpr const char* backends[] = {"auto", "dense", "fft"};
@@ -52,8 +52,8 @@ void solve_one(Draw& draw, rc_options* options) {
   rc_options_set_int(options, RC_OPT_STIFFNESS, draw.below(2));
 
   rc_result result = RC_RESULT_INIT;
-  result.p = p.data();
-  result.gap = g.data();
+  result.p.data = p.data();
+  result.gap.data = g.data();
   const rc_status status = rc_solve(&system, &step, options, &result);
   if (status == RC_ERR_NO_BACKEND) return;
   const auto finite = [](double value) { return std::isfinite(value); };

@@ -62,15 +62,15 @@ std::string Scene::wrong(rc_status status, const rc_result& result, bool memory)
 std::string Scene::judge(const rc_options* options, bool memory) {
   rc_contact* contact = nullptr;
   rc_result result = RC_RESULT_INIT;
-  result.p = p_.data();
-  result.gap = deformed_.data();
+  result.p.data = p_.data();
+  result.gap.data = deformed_.data();
   rc_status status = rc_contact_create(&system_, options, &contact);
   std::string fault = status == RC_OK ? "" : wrong(status, result, memory);
   const double targets[] = {0.4, 0.6, 1, 2};
   const std::int32_t controls[] = {RC_CONTROL_APPROACH, RC_CONTROL_APPROACH, RC_CONTROL_LOAD, RC_CONTROL_LOAD};
   for (int k = 0; contact && fault.empty() && k < 4; ++k) {
     rc_step step = RC_STEP_INIT;
-    step.undeformed_gap = gap_.data();
+    step.undeformed_gap.data = gap_.data();
     step.control = controls[k];
     step.target = targets[k];
     status = rc_contact_solve(contact, &step, &result);

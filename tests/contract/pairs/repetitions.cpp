@@ -61,10 +61,8 @@ void result_is_written_in_full(std::int32_t boundary, const Pair& pair) {
       gap[k].assign(problem.points(), -7 - k);
       std::memset(&results[k], fillings[k], sizeof results[k]);
       results[k].struct_size = sizeof results[k];
-      results[k].p = p[k].data();
-      results[k].gap = gap[k].data();
-      results[k].p_single = results[k].gap_single = nullptr;
-      results[k].memory = nullptr;
+      results[k].p = {p[k].data(), RC_NATIVE, 0, nullptr};
+      results[k].gap = {gap[k].data(), RC_NATIVE, 0, nullptr};
       const rc_step step = problem.step();
       check(rc_contact_reset(contact.handle()) == RC_OK, rc_last_error());
       check(rc_contact_solve(contact.handle(), &step, &results[k]) == RC_OK, rc_last_error());

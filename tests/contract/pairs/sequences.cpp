@@ -75,13 +75,13 @@ void explicit_start(std::int32_t boundary, const Pair& pair) {
     for (const Field& start :
          {cold.p, alternating, Field(each.points(), 0.0), Field(each.points(), -3.0), Field(each.points(), 1e3)}) {
       rc_step step = each.step();
-      step.p0 = start.data();
+      step.p0.data = start.data();
       const Answer answer = Contact(each, pair).solve(step);
       check_status(answer, RC_OK);
       check_near(answer.p, cold.p, 1e-9, "p");
     }
     rc_step step = each.step();
-    step.p0 = cold.p.data();
+    step.p0.data = cold.p.data();
     const Answer from_solution = Contact(each, pair).solve(step);
     if (each.control == RC_CONTROL_APPROACH)
       check(from_solution.result.products < cold.result.products, "a start at the solution saves nothing");
@@ -100,18 +100,18 @@ void gap_and_mask_are_kept(std::int32_t boundary, const Pair& pair) {
   step.target *= 0.9;
   Problem lower = problem;
   lower.target = step.target;
-  step.undeformed_gap = nullptr;
-  step.mask = nullptr;
+  step.undeformed_gap.data = nullptr;
+  step.mask.data = nullptr;
   check_near(contact.solve(step).p, solved(lower, pair).p, 1e-9, "p with gap and mask of the step before");
 
   lower.mask.assign(lower.points(), 1);
   for (std::size_t i = 3; i < lower.points(); i += 5) lower.mask[i] = 0;
-  step.mask = lower.mask.data();
+  step.mask.data = lower.mask.data();
   check_near(contact.solve(step).p, solved(lower, pair).p, 1e-9, "p with the gap of the step before and another mask");
 
   lower.mask.clear();
-  step.mask = nullptr;
-  step.undeformed_gap = lower.gap.data();
+  step.mask.data = nullptr;
+  step.undeformed_gap.data = lower.gap.data();
   check_near(contact.solve(step).p, solved(lower, pair).p, 1e-9, "p with a gap and no mask");
 }
 

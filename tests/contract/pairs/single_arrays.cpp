@@ -23,8 +23,7 @@ struct InSingle {
   explicit InSingle(Problem given) : problem(std::move(given)), gap(rounded(problem.gap)) { problem.gap = widened(gap); }
   rc_step step(bool borrow) const {
     rc_step step = problem.step();
-    step.undeformed_gap = nullptr;
-    step.undeformed_gap_single = gap.data();
+    step.undeformed_gap = {gap.data(), RC_SINGLE, 0, nullptr};
     step.borrow = borrow;
     return step;
   }
@@ -35,8 +34,8 @@ struct InSingle {
 
 struct SingleAnswer {
   explicit SingleAnswer(std::size_t points) : p(points), gap(points) {
-    result.p_single = p.data();
-    result.gap_single = gap.data();
+    result.p = {p.data(), RC_SINGLE, 0, nullptr};
+    result.gap = {gap.data(), RC_SINGLE, 0, nullptr};
   }
   rc_result result = RC_RESULT_INIT;
   Singles p, gap;
@@ -75,8 +74,8 @@ void gap_is_worth_its_values(std::int32_t boundary, const Pair& pair) {
       check_same_answer(single, answer);
     }
     rc_step again = given.problem.step();
-    again.undeformed_gap = nullptr;
-    again.mask = nullptr;
+    again.undeformed_gap.data = nullptr;
+    again.mask.data = nullptr;
     again.target *= 1.1;
     SingleAnswer single(given.problem.points());
     const rc_status status = rc_contact_solve(in_single.handle(), &again, &single.result);
@@ -176,18 +175,34 @@ void other_solvers_see_doubles() {
   }
 }
 
-void both_are_filled() {
+// Pressures as doubles beside a gap of floats.
+void each_array_has_its_type() {
   const Problem problem = at_points(33, 26, RC_BOUNDARY_FREE);
   const Contact contact(problem, automatic);
   SingleAnswer single(problem.points());
-  Field p(problem.points()), gap(problem.points());
-  single.result.p = p.data();
-  single.result.gap = gap.data();
+  Field p(problem.points());
+  single.result.p = {p.data(), RC_NATIVE, 0, nullptr};
   const rc_step step = problem.step();
   check_equal(rc_contact_solve(contact.handle(), &step, &single.result), RC_OK, "status");
-  check_same_singles(single.p, p, "p");
-  check_same_singles(single.gap, gap, "gap");
+  const Answer answer = contact.solve(problem);
+  check_same(p, answer.p, "p");
+  check_same_singles(single.gap, answer.gap, "gap");
   check(largest(p) > 0, "no contact");
+}
+
+// A start of floats is worth its values.
+void started_from_singles() {
+  const Problem problem = at_points(33, 26, RC_BOUNDARY_FREE);
+  const Singles start = rounded(solved(problem, automatic).p);
+  const Field wide = widened(start);
+  rc_step step = problem.step(), wide_step = step;
+  step.p0 = {start.data(), RC_SINGLE, 0, nullptr};
+  wide_step.p0.data = wide.data();
+  const Contact in_single(problem, automatic), in_double(problem, automatic);
+  const Answer a = in_single.solve(step), b = in_double.solve(wide_step);
+  check_equal(a.status, RC_OK, "status");
+  check_same(a.p, b.p, "p");
+  check_equal(a.result.iterations, b.result.iterations, "iterations");
 }
 
 }  // namespace
@@ -203,7 +218,8 @@ std::vector<Test> single_array_tests() {
   tests.push_back({"sparse_contact_of_floats", [] { coarser_grids_serve_it({{"tol", "1e-8"}, {"backend", "split"}}, RC_OK); }});
   tests.push_back({"goal_on_a_coarser_grid_of_floats", [] { coarser_grids_serve_it({{"accuracy", "0.2"}}, RC_WITHIN_GOAL); }});
   tests.push_back({"other_solvers_see_doubles", other_solvers_see_doubles});
-  tests.push_back({"arrays_of_both_widths_are_filled", both_are_filled});
+  tests.push_back({"each_array_has_its_type", each_array_has_its_type});
+  tests.push_back({"starts_of_floats_are_worth_their_values", started_from_singles});
   return tests;
 }
 

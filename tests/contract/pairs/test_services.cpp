@@ -96,7 +96,7 @@ void refused_certificate_changes_nothing() {
   p[7] = std::numeric_limits<double>::quiet_NaN();
   check_status(contact.certify(other.step(), p), RC_ERR_ARGUMENT);
   rc_step same = problem.step();
-  same.undeformed_gap = nullptr;
+  same.undeformed_gap.data = nullptr;
   check_near(contact.solve(same).p, before.p, 1e-12, "p after a refused certificate");
 }
 

@@ -25,7 +25,7 @@ class Pressed {
     for (std::size_t i = 0; i < gap.size(); ++i) gap[i] = 0.1 * std::sin(0.7 * static_cast<double>(i));
     rc_step step = RC_STEP_INIT;
     step.control = RC_CONTROL_APPROACH;
-    step.undeformed_gap = gap.data();
+    step.undeformed_gap.data = gap.data();
     step.target = 0.2;
     assert_int_equal(rc_contact_solve(contact_, &step, &result_), RC_OK);
   }

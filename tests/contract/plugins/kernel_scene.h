@@ -102,8 +102,8 @@ class Pressed {
     rc_step step = RC_STEP_INIT;
     step.control = RC_CONTROL_APPROACH;
     step.target = 0.4 * system_.hx;
-    step.undeformed_gap = gap_.data();
-    result.p = p.data();
+    step.undeformed_gap.data = gap_.data();
+    result.p.data = p.data();
     status = rc_contact_solve(contact_, &step, &result);
   }
   std::string explanation() const {
@@ -148,7 +148,7 @@ inline double load_of_matrix(double rate) {
   rc_step step = RC_STEP_INIT;
   step.control = RC_CONTROL_APPROACH;
   step.target = 0.4;
-  step.undeformed_gap = gap.data();
+  step.undeformed_gap.data = gap.data();
   rc_result result = RC_RESULT_INIT;
   assert_int_equal(rc_solve(&system, &step, nullptr, &result), RC_OK);
   return result.load;

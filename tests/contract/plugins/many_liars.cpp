@@ -57,10 +57,10 @@ struct Scene {
       step.control = control;
       step.target = targets[static_cast<std::size_t>(i * steps + k)];
       const double* const gap = gaps.data() + i * points;
-      if (k == 0) step.undeformed_gap = gap;
-      if (k == 0) step.mask = mask.data();
+      if (k == 0) step.undeformed_gap.data = gap;
+      if (k == 0) step.mask.data = mask.data();
       rc_result result = RC_RESULT_INIT;
-      result.p = own.data();
+      result.p.data = own.data();
       assert_int_equal(rc_contact_solve(contact, &step, &result), RC_OK);
       rc_many_answer answer{};
       answer.solved = 1;

@@ -44,7 +44,7 @@ static rc_status run(struct solve wanted) {
   system.nx = system.ny = n;
   system.hx = system.hy = system.modulus = 1;
   step.control = wanted.control;
-  step.undeformed_gap = gap;
+  step.undeformed_gap.data = gap;
   step.target = wanted.approach;
   rc_status status = rc_options_create(NULL, &options);
   if (status == RC_OK) status = rc_options_set_text(options, RC_OPT_BACKEND, wanted.backend);

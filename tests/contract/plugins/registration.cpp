@@ -154,13 +154,13 @@ template <class Change> void assert_solve_gives(rc_status expected, const char* 
   const double gap[] = {0, 0.1};
   rc_step step = RC_STEP_INIT;
   step.control = RC_CONTROL_APPROACH;
-  step.undeformed_gap = gap;
+  step.undeformed_gap.data = gap;
   step.target = 1;
   // Twice: a failed step must leave the contact usable.
   for (int attempt = 0; attempt < 2; ++attempt) {
     rc_result result = RC_RESULT_INIT;
     double deformed[2];
-    result.gap = deformed;  // takes the product over all points
+    result.gap.data = deformed;  // takes the product over all points
     assert_int_equal(rc_contact_solve(contact, &step, &result), expected);
     assert_message_has(message);
   }

@@ -89,7 +89,7 @@ double Registry::load(const std::string& solver, const std::string& backend, std
   rc_step step = RC_STEP_INIT;
   step.control = control;
   step.target = control == RC_CONTROL_LOAD ? 2 : 0.2;
-  step.undeformed_gap = gap.data();
+  step.undeformed_gap.data = gap.data();
   result_ = RC_RESULT_INIT;
   const rc_status status = rc_solve(&system, &step, options, &result_);
   if (status != RC_OK) print_message("%s on %s: %s\n", solver.c_str(), backend.c_str(), rc_last_error());

@@ -42,8 +42,8 @@ rc_step Scene::step() const {
   rc_step step = RC_STEP_INIT;
   step.control = RC_CONTROL_APPROACH;
   step.target = approach;
-  step.undeformed_gap = gap.data();
-  step.mask = mask.empty() ? nullptr : mask.data();
+  step.undeformed_gap.data = gap.data();
+  step.mask.data = mask.empty() ? nullptr : mask.data();
   return step;
 }
 

@@ -19,7 +19,7 @@ Answer with(const Problem& problem, const std::string& solver, const Settings& s
 
 Answer from(const Problem& problem, const std::string& solver, const Field& p0) {
   rc_step step = problem.step();
-  step.p0 = p0.data();
+  step.p0.data = p0.data();
   return Contact(problem, {solver, "dense"}, {{"tol", "1e-10"}, {"max_iter", iterations_enough}}).solve(step);
 }
 

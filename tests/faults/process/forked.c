@@ -20,7 +20,7 @@ static rc_status solve(const char* backend, const char* solver) {
   rc_step step = RC_STEP_INIT;
   step.control = RC_CONTROL_APPROACH;
   rc_result result = RC_RESULT_INIT;
-  step.undeformed_gap = gap;
+  step.undeformed_gap.data = gap;
   step.target = 0.5;
   rc_status status = rc_options_create(NULL, &options);
   if (status == RC_OK) status = rc_options_set_text(options, RC_OPT_BACKEND, backend);

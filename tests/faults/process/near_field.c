@@ -15,7 +15,7 @@ static rc_status solve(int n, const char* memory_limit) {
   system.hx = system.hy = system.modulus = 1;
   rc_step step = RC_STEP_INIT;
   step.control = RC_CONTROL_APPROACH;
-  step.undeformed_gap = gap;
+  step.undeformed_gap.data = gap;
   step.target = 0.5;
   rc_result result = RC_RESULT_INIT;
   rc_options* options = NULL;

@@ -39,9 +39,9 @@ class Contact {
     rc_step step = RC_STEP_INIT;
     step.control = RC_CONTROL_APPROACH;
     step.target = 0.6 * (1 + 5e-3 * (3 * (steps_++ + 3) % 7));
-    step.undeformed_gap = gap_.data();
+    step.undeformed_gap.data = gap_.data();
     rc_result result = RC_RESULT_INIT;
-    result.p = p.data();
+    result.p.data = p.data();
     const rc_status status = rc_contact_solve(contact_, &step, &result);
     products = result.products;
     return status;

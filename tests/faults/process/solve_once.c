@@ -23,11 +23,11 @@ static int solve(rc_contact* contact, const double* gap, double* change) {
   rc_result result = RC_RESULT_INIT;
   int ended = 0;
   step.control = RC_CONTROL_APPROACH;
-  step.undeformed_gap = gap;
+  step.undeformed_gap.data = gap;
   step.target = 2e-7;
   if ((ended = refused(rc_contact_solve(contact, &step, &result))) != 0) return ended;
   if (change && (ended = differentiate(contact, gap, change)) != 0) return ended;
-  step.undeformed_gap = NULL;
+  step.undeformed_gap.data = NULL;
   step.control = RC_CONTROL_LOAD;
   step.target = 0.7 * result.load;
   if ((ended = refused(rc_contact_solve(contact, &step, &result))) != 0) return ended;

@@ -14,7 +14,7 @@ static rc_status solve(const char* backend) {
   system.hx = system.hy = system.modulus = 1;
   rc_step step = RC_STEP_INIT;
   step.control = RC_CONTROL_APPROACH;
-  step.undeformed_gap = gap;
+  step.undeformed_gap.data = gap;
   step.target = 0.1;
   rc_result result = RC_RESULT_INIT;
   rc_options* options = NULL;

@@ -62,8 +62,8 @@ struct Answer {
 
   Answer() {
     result = RC_RESULT_INIT;
-    result.p = p.data();
-    result.gap = gap.data();
+    result.p.data = p.data();
+    result.gap.data = gap.data();
   }
   bool untouched() const { return poisoned(p) && poisoned(gap) && result.points == 0; }
 };
@@ -105,14 +105,14 @@ class Life {
     if (!contact_ && failed(rc_contact_create(&given_.system, options_, &contact_))) return status_;
     rc_step step = RC_STEP_INIT;
     step.control = RC_CONTROL_APPROACH;
-    step.undeformed_gap = given_.gap.data();
+    step.undeformed_gap.data = given_.gap.data();
     step.target = 0.2;
     if (failed(rc_contact_solve(contact_, &step, &pressed_.result)) && left(pressed_.untouched(), "solve")) return status_;
     if (failed(rc_options_set_int(options_, RC_OPT_STIFFNESS, 2)) || failed(rc_contact_set_options(contact_, options_)))
       return status_;
     step.control = RC_CONTROL_LOAD;
     step.target = 0.5 * pressed_.result.load;
-    step.undeformed_gap = nullptr;
+    step.undeformed_gap.data = nullptr;
     if (failed(rc_contact_solve(contact_, &step, &loaded_.result)) && left(loaded_.untouched(), "solve by load")) return status_;
     if (failed(rc_contact_gradient(contact_, &change_.gradient)) && left(change_.no_gradient(), "gradient")) return status_;
     if (failed(rc_contact_tangent(contact_, &change_.tangent)) && left(change_.no_tangent(), "tangent")) return status_;

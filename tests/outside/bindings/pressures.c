@@ -23,9 +23,9 @@ int main(int count, char** arguments) {
   rc_step step = RC_STEP_INIT;
   step.control = RC_CONTROL_APPROACH;
   step.target = strtod(arguments[6], NULL);
-  step.undeformed_gap = z;
+  step.undeformed_gap.data = z;
   rc_result result = RC_RESULT_INIT;
-  result.p = p;
+  result.p.data = p;
   if (rc_solve(&system, &step, NULL, &result) != RC_OK) return fprintf(stderr, "%s\n", rc_last_error()), 1;
 
   file = fopen(arguments[7], "wb");

@@ -92,8 +92,8 @@ contains
     type(rc_result) :: ours, theirs
     type(rc_step) :: step
     real(c_double) :: larger(2 * nx, ny + 3)
-    step = rc_step(control=RC_CONTROL_APPROACH, target=0.4_c_double, undeformed_gap=c_loc(gap))
-    theirs%p = c_loc(expected)
+    step = rc_step(control=RC_CONTROL_APPROACH, target=0.4_c_double, undeformed_gap=rc_const_array(c_loc(gap)))
+    theirs%p%data = c_loc(expected)
     call check('rc_solve', rc_solve(system, step, c_null_ptr, theirs) == RC_OK)
     call rcf_solve(system, gap, approach=0.4_c_double, p=p, gap=deformed, result=ours, stat=stat)
     call check('rcf_solve is certified', stat == RC_OK .and. ours%status == RC_OK)

@@ -42,7 +42,7 @@ double direct_load(const std::vector<double>& heights, double displacement) {
   rc_step step = RC_STEP_INIT;
   step.control = RC_CONTROL_APPROACH;
   step.target = displacement;
-  step.undeformed_gap = gap.data();
+  step.undeformed_gap.data = gap.data();
   rc_options* options = nullptr;
   assert_int_equal(rc_options_create(nullptr, &options), RC_OK);
   assert_int_equal(rc_options_set_real(options, RC_OPT_TOL, 1e-10), RC_OK);

@@ -22,9 +22,9 @@ int main(int argc, char** argv) {
   rc_step step = RC_STEP_INIT;
   step.control = RC_CONTROL_APPROACH;
   step.target = 1e-6;
-  step.undeformed_gap = gap.data();
+  step.undeformed_gap.data = gap.data();
   rc_result result = RC_RESULT_INIT;
-  result.p = pressure.data();
+  result.p.data = pressure.data();
 
   rc_options* raw_options = nullptr;
   rc_contact* raw_contact = nullptr;

@@ -96,7 +96,7 @@ class Context {
     rc_step step = RC_STEP_INIT;
     step.control = control;
     step.target = target;
-    step.undeformed_gap = surface.gap.data();
+    step.undeformed_gap.data = surface.gap.data();
     rc_result result = RC_RESULT_INIT;
     result.status = rc_solve(&system, &step, options, &result);
     rc_options_destroy(options);

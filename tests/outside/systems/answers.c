@@ -49,9 +49,9 @@ static void solve(const rc_system* system, const char* solver, const char* backe
   rc_result result = RC_RESULT_INIT;
   step.control = control;
   step.target = target;
-  step.undeformed_gap = gap;
-  result.p = p;
-  result.gap = deformed;
+  step.undeformed_gap.data = gap;
+  result.p.data = p;
+  result.gap.data = deformed;
   rc_options_create(NULL, &options);
   rc_options_set_text(options, RC_OPT_SOLVER, solver);
   rc_options_set_text(options, RC_OPT_BACKEND, backend);

@@ -35,8 +35,8 @@ int start(void) {
   system.hx = system.hy = system.modulus = 1;
   step.control = RC_CONTROL_LOAD;
   step.target = 5;
-  step.undeformed_gap = gap;
-  result.p = p;
+  step.undeformed_gap.data = gap;
+  result.p.data = p;
   if (rc_solve(&system, &step, 0, &result) != RC_OK) return 1;
   return result.contacts > 3 && result.load > 4.999999 && result.load < 5.000001 && p[27] > p[0] ? 42 : 2;
 }

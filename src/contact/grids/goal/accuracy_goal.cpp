@@ -202,7 +202,7 @@ std::optional<Numbers> AccuracyGoal::solve(GridContact& given, const Step& step,
     if (numbers.status == RC_OK) given.remember(std::move(finished), {});
     return numbers;
   }
-  if (!step.p0) estimate = std::move(found.estimate);
+  if (!step.p0.data) estimate = std::move(found.estimate);
   return std::nullopt;
 }
 

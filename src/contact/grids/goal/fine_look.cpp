@@ -63,7 +63,7 @@ std::optional<Numbers> AccuracyGoal::look(GridContact& given, const Step& step, 
   const Grid& grid = grids_[found.grid - 1];
   const GridProblem& coarse = grid.contact->problem();
   // Prescribes the coarser grid's approach in load control, too: the error of the load that belongs to it is what counts.
-  const Step at{{RC_CONTROL_APPROACH, found.estimate->approach}, nullptr, false, look_steps};
+  const Step at{{RC_CONTROL_APPROACH, found.estimate->approach}, {}, false, look_steps};
   found.status = RC_OK;
   if (system.periodic() && surface.whole() && at.target.value >= surface.mean()) return std::nullopt;  // no load belongs to it
   Answer answer;

@@ -35,7 +35,7 @@ double loading_sequence(const char* solver, const char* backend, std::int64_t si
   for (int k = 1; k <= 8; ++k) {
     rc_step step = RC_STEP_INIT;
     step.control = RC_CONTROL_APPROACH;
-    step.undeformed_gap = gap.data();
+    step.undeformed_gap.data = gap.data();
     step.target = 0.7 * k;
     rc_result result = RC_RESULT_INIT;
     if (rc_contact_solve(contact, &step, &result) != RC_OK) {

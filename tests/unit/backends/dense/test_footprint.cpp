@@ -58,7 +58,7 @@ Outcome solve(const char* solver, std::int64_t nx, std::int64_t ny, double appro
   system.ny = ny;
   rc_step step = RC_STEP_INIT;
   step.control = RC_CONTROL_APPROACH;
-  step.undeformed_gap = gap.data();
+  step.undeformed_gap.data = gap.data();
   step.target = approach;
   rc_result result = RC_RESULT_INIT;
   rc_options* options = options_for(solver);
