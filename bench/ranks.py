@@ -1,17 +1,15 @@
 """Contacts shared by ranks. Measured: two ranks of one thread beside one process of two. Simulated: whole solves on modelled networks
-(ranks_simulation.py). Computed: a model fitted to both, for grids and ranks that no machine here has."""
+(ranks_simulation.py)."""
 import math
 import os
 import sys
 
 from options import listed, question, ranged, side, threads
-from ranks_model import WINDOW, fitted
 from ranks_simulation import answer_of, program, simulated
-from ranks_tables import PAIRS, SIMULATED, pairs, simulations
+from ranks_tables import NETWORKS, PAIRS, SIMULATED, pairs, simulations
 from store import Store
 from tables import show
 
-NETWORKS = {'fast': (12.5e9, 1.5e-6), 'slow': (1.25e9, 20e-6)}  # bytes a second, seconds; as in platforms/*.xml
 MAPPED = str(1 << 17)  # bytes of a block from which on malloc gives it back, where memory is measured; its own default, which here does not grow
 LIMIT = 3600  # seconds of one run
 WAYS = {'process': (1, 2), 'ranks': (2, 1)}  # ranks, threads of each
@@ -49,7 +47,7 @@ class Ranks:
                 self.put('measured', {'n': n, 'way': way}, what if way == 'ranks' else f'{n}^2 in one process', {'ranks': WAYS[way][0], **answer})
 
     def count(self):
-        """What products in double precision send, beside the model's."""
+        """What products in double precision send."""
         for n in self.request.sizes[:2]:
             if not self.store.known('counted', {'n': n}):
                 self.put('counted', {'n': n}, f'{n}^2, products in double precision', {'ranks': 2, **answer_of(measured_command('ranks', n, 'double'), LIMIT)})
@@ -62,7 +60,7 @@ class Ranks:
         records = self.request.records and os.path.join(self.request.records, self.store.library)
         answers = simulated(n, ranks, missing, self.request.runs, records, LIMIT)
         for network, answer in answers.items():
-            self.put('simulated', keys[network], f'{n}^2 on {ranks} ranks, {network} network', {**answer, 'window': WINDOW})
+            self.put('simulated', keys[network], f'{n}^2 on {ranks} ranks, {network} network', answer)
 
     def run(self):
         self.measure()
@@ -72,13 +70,13 @@ class Ranks:
         for n in self.request.strong:
             for ranks in self.request.ranks:
                 self.simulate(n, ranks)
-        self.store.save(model=fitted(self.store.document, NETWORKS))
+        self.store.save()
         show(PAIRS, pairs(self.store.document))
         for weak in (False, True):
             show(SIMULATED, simulations(self.store.document, weak))
 
 
-question('ranks', 'contacts shared by ranks: two ranks here, many on simulated networks, more by a model', lambda request: Ranks(request).run(), {
+question('ranks', 'contacts shared by ranks: two ranks here, many on simulated networks', lambda request: Ranks(request).run(), {
     'sizes': (listed(side), [1024, 2048, 4096, 8192], 'points a side, measured'),
     'strong': (listed(side), [4096, 8192], 'points a side, simulated'),
     'ranks': (listed(ranged(int, 1, 256)), [1, 4, 16, 64, 256], 'of each of them'),
