@@ -1,5 +1,6 @@
 """Arrays of any order, type and kind as the library wants them, copied only where they differ from that."""
 
+import ctypes
 import operator
 from typing import Any, Dict, Optional, Sequence, Tuple, Type, Union
 
@@ -164,6 +165,11 @@ def pointer(array: Optional[NDArray[Any]]) -> Any:
     return array.ctypes.data_as(ctype(kinds[array.dtype.name]))
 
 
+def doubles_at(array: Union[rc_array, rc_const_array], shape: Shape) -> Doubles:
+    """The C library's array of doubles, not copied."""
+    return np.ctypeslib.as_array(ctypes.cast(array.data, ctypes.POINTER(ctypes.c_double)), shape)
+
+
 def given(members: S, **values: Any) -> S:
     """Sets members of a struct, of arrays to their address; those that are None stay as they are."""
     for name, value in values.items():
@@ -171,7 +177,7 @@ def given(members: S, **values: Any) -> S:
         if value is None:
             continue
         if isinstance(member, (rc_array, rc_const_array)):
-            member.type = RC_SINGLE if value.dtype == np.float32 else RC_NATIVE
+            member.type = RC_SINGLE if np.dtype(value.dtype) == np.float32 else RC_NATIVE
             if isinstance(value, DeviceArray):
                 member.data, member.memory = value.address, value.memory
             else:

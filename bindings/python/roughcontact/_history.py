@@ -7,7 +7,7 @@ from typing import Any, Callable, List, Optional
 
 import numpy as np
 
-from ._arrays import Doubles, Mask, as_doubles, as_switch, given
+from ._arrays import Doubles, Mask, as_doubles, as_switch, doubles_at, given
 from ._calls import Callbacks
 from ._errors import ArgumentError, as_status
 from ._handle import Handle
@@ -47,7 +47,7 @@ def history_on(
 
     def after(step: int, answer: Any, _: Any) -> object:
         found, grid = answer.contents, contact.grid()
-        pressure = np.ctypeslib.as_array(found.p, grid.shape)
+        pressure = doubles_at(found.p, grid.shape)
         if pressures is not None:
             pressures[step] = pressure
         alone = result_from(found, "", grid, None, None, contact._handle)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ctypes
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Dict, Optional, Tuple
@@ -12,7 +11,7 @@ from numpy.typing import NDArray
 
 from . import analysis
 from ._answers import Answer, Stored
-from ._arrays import Doubles, Mask, Reals, Shape
+from ._arrays import Doubles, Mask, Reals, Shape, doubles_at
 from ._brief import brief
 from ._c import members_for
 from ._device import on_host
@@ -259,12 +258,9 @@ def result_from(
 
 def result_with_copies(struct: rc_result, grid: Grid, contact: Any = None) -> Result:
     """From inside a callback, whose arrays last only until it returns."""
-    n = int(np.prod(grid.shape))
 
     def copy(array: rc_array) -> Optional[Doubles]:
-        if not array.data:
-            return None
-        return np.ctypeslib.as_array(ctypes.cast(array.data, ctypes.POINTER(ctypes.c_double)), (n,)).reshape(grid.shape).copy()
+        return doubles_at(array, grid.shape).copy() if array.data else None
 
     return result_from(struct, "", grid, copy(struct.p), copy(struct.gap), contact)
 

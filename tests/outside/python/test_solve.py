@@ -83,7 +83,7 @@ def test_accuracy_is_a_success_on_a_coarser_grid():
 def directly(system, gap, control, target, pressure):
     """rc_solve from the bare shared library: memory offsets by hand."""
     library = ctypes.CDLL(rc.library_file())
-    step, result = bytearray(72), bytearray(ctypes.sizeof(rc.raw.rc_result))
+    step, result = bytearray(104), bytearray(ctypes.sizeof(rc.raw.rc_result))
 
     def put(buffer, offset, kind, value):
         kind.from_buffer(buffer, offset).value = value
