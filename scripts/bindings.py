@@ -27,7 +27,7 @@ except ImportError as missing:
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 # What a program includes to use each library. Headers that these include are read as well; the first library has them.
 HEADERS = {
-    "contact": [f"roughcontact/{name}.h" for name in ("roughcontact", "history", "derivatives", "direct", "analysis", "registry")],
+    "contact": [f"roughcontact/{name}.h" for name in ("roughcontact", "history", "derivatives", "direct", "product", "analysis", "registry")],
     "surface": ["roughcontact/surface.h"],
     "formats": ["roughcontact/formats.h"],
     "mpi": ["roughcontact/mpi.h"],
@@ -43,6 +43,7 @@ SCALARS = {
     "rc_options_get_real": "out",
     "rc_contact_points": "n",
     "rc_conductance": "conductance lower upper",
+    "rc_punch_stiffness": "stiffness lower upper",
     "rc_surface_psd": "count",
     "rc_mpi_rows_f": "first count",
 }
@@ -52,6 +53,7 @@ OPTIONAL = {
     "rc_context_create": "config",
     "rc_contact_points": "index p",
     "rc_conductance": "lower upper",
+    "rc_punch_stiffness": "lower upper",
     **dict.fromkeys(("rc_greedy", "rc_polonsky_keer", "rc_nnls", "rc_gp", "rc_admm"), "w result"),
     "rc_cmr": "inner result",
     "rc_surface_psd": "q psd modes",

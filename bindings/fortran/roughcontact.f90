@@ -11,6 +11,7 @@ module roughcontact
   use roughcontact_histories
   use roughcontact_derivatives
   use roughcontact_direct
+  use roughcontact_products
   use roughcontact_analysis
   implicit none
 end module

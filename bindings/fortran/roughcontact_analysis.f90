@@ -3,9 +3,11 @@ module roughcontact_analysis
   use roughcontact_arrays
   use roughcontact_errors
   use roughcontact_functions
+  use roughcontact_options, only: rcf_or_null
   implicit none
   private
-  public :: rcf_area_measure, rcf_patches_find, rcf_histogram_fill, rcf_crossing_find, rcf_patch, rcf_conductance
+  public :: rcf_area_measure, rcf_patches_find, rcf_histogram_fill, rcf_crossing_find, rcf_patch, rcf_conductance, &
+    rcf_punch_stiffness
 
   ! One connected part of a contact.
   type :: rcf_patch
@@ -131,6 +133,21 @@ contains
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     call rcf_check(rc_conductance(system, result, rho1, rho2, conductance, lower, upper), stat, errmsg)
+  end subroutine
+
+  ! dW/dd of a rigid flat punch on exactly the points of the mask (absent: all), and the interval it lies in.
+  subroutine rcf_punch_stiffness(system, stiffness, mask, lower, upper, options, stat, errmsg)
+    type(rc_system), intent(in) :: system
+    real(c_double), intent(inout) :: stiffness
+    logical, intent(in), optional :: mask(:, :)
+    real(c_double), intent(inout), optional :: lower, upper
+    type(c_ptr), intent(in), optional :: options
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    integer(c_int8_t), allocatable, target :: bytes(:, :)
+    type(c_ptr) :: there
+    if (.not. rcf_masked('rcf_punch_stiffness', mask, system%nx, system%ny, bytes, there, stat, errmsg)) return
+    call rcf_check(rc_punch_stiffness(system, there, rcf_or_null(options), stiffness, lower, upper), stat, errmsg)
   end subroutine
 
   pure function grid(p, hx, hy, boundary) result(system)

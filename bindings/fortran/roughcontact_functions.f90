@@ -28,6 +28,10 @@ module roughcontact_functions
       type(c_ptr), value :: context
       type(c_ptr), intent(inout) :: out
     end function
+    integer(rc_status) function rc_options_copy(options, out) bind(c); import
+      type(c_ptr), value :: options
+      type(c_ptr), intent(inout) :: out
+    end function
     subroutine rc_options_destroy(options) bind(c); import
       type(c_ptr), value :: options
     end subroutine
@@ -155,6 +159,20 @@ module roughcontact_functions
       real(c_double), intent(inout) :: p(*)
       type(rc_direct), intent(inout), optional :: result
     end function
+    integer(rc_status) function rc_product_create(system, options, out) bind(c); import
+      type(rc_system), intent(in) :: system
+      type(c_ptr), value :: options
+      type(c_ptr), intent(inout) :: out
+    end function
+    subroutine rc_product_destroy(product) bind(c); import
+      type(c_ptr), value :: product
+    end subroutine
+    integer(rc_status) function rc_product_apply(product, p, p_x, p_y, u, u_x, u_y) bind(c); import
+      type(c_ptr), value :: product
+      real(c_double), intent(in) :: p(*)
+      integer(c_int64_t), value :: p_x, p_y, u_x, u_y
+      real(c_double), intent(inout) :: u(*)
+    end function
     integer(rc_status) function rc_area_measure(system, p, mask, out) bind(c); import
       type(rc_system), intent(in) :: system
       real(c_double), intent(in) :: p(*)
@@ -184,6 +202,12 @@ module roughcontact_functions
       type(rc_result), intent(in) :: result
       real(c_double), value :: rho1, rho2
       real(c_double), intent(inout) :: conductance
+      real(c_double), intent(inout), optional :: lower, upper
+    end function
+    integer(rc_status) function rc_punch_stiffness(system, mask, options, stiffness, lower, upper) bind(c); import
+      type(rc_system), intent(in) :: system
+      type(c_ptr), value :: mask, options
+      real(c_double), intent(inout) :: stiffness
       real(c_double), intent(inout), optional :: lower, upper
     end function
     integer(rc_status) function rc_context_create(config, out) bind(c); import

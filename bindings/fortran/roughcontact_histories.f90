@@ -19,15 +19,18 @@ contains
   !     type(rc_result), intent(in) :: result                      ! %p%data and %gap%data last until it returns
   !     type(c_ptr), value :: user
   subroutine rcf_contact_solve_history(contact, approaches, loads, undeformed_gap, mask, warm_start, load, approach, contact_area, &
-    stiffness, certificate, products, fn, user, completed, stat, errmsg)
+    mean_gap, energy, stiffness, load_lower, load_upper, area_lower, area_upper, stiffness_lower, stiffness_upper, certificate, &
+    products, fn, user, virgin, completed, stat, errmsg)
     type(rcf_contact), intent(in) :: contact
     real(c_double), intent(in), optional, target, contiguous :: approaches(:), loads(:), undeformed_gap(:, :)
     logical, intent(in), optional :: mask(:, :), warm_start
-    real(c_double), intent(inout), optional, target, contiguous :: load(:), approach(:), contact_area(:), stiffness(:), &
+    real(c_double), intent(inout), optional, target, contiguous :: load(:), approach(:), contact_area(:), mean_gap(:), energy(:), &
+      stiffness(:), load_lower(:), load_upper(:), area_lower(:), area_upper(:), stiffness_lower(:), stiffness_upper(:), &
       certificate(:)
     integer(c_int64_t), intent(inout), optional, target, contiguous :: products(:)
     type(c_funptr), intent(in), optional :: fn
     type(c_ptr), intent(in), optional :: user
+    logical, intent(in), optional :: virgin  ! every step presses the surface as it is before the first
     integer, intent(out), optional :: completed
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
@@ -57,7 +60,15 @@ contains
     call place(load, history%load)
     call place(approach, history%approach)
     call place(contact_area, history%contact_area)
+    call place(mean_gap, history%mean_gap)
+    call place(energy, history%energy)
     call place(stiffness, history%stiffness)
+    call place(load_lower, history%load_lower)
+    call place(load_upper, history%load_upper)
+    call place(area_lower, history%area_lower)
+    call place(area_upper, history%area_upper)
+    call place(stiffness_lower, history%stiffness_lower)
+    call place(stiffness_upper, history%stiffness_upper)
     call place(certificate, history%certificate)
     if (present(products)) then
       shortest = min(shortest, size(products))
@@ -68,6 +79,7 @@ contains
       return
     end if
     if (present(fn)) history%fn = fn
+    if (present(virgin)) history%virgin = merge(1, 0, virgin)
     history%user = rcf_or_null(user)
     status = rc_contact_solve_history(contact%handle, history)
     if (present(completed)) completed = int(history%completed)
@@ -93,14 +105,15 @@ contains
   !     integer(c_int64_t), value :: ended                         ! steps of all contacts so far
   !     type(c_ptr), value :: user
   subroutine rcf_batch_solve(system, undeformed_gap, approaches, loads, mask, warm_start, p0, p, load, approach, contact_area, &
-    stiffness, certificate, status, iterations, products, fn, user, options, certified, first, progress, &
-    stat, errmsg)
+    mean_gap, energy, stiffness, load_lower, load_upper, area_lower, area_upper, stiffness_lower, stiffness_upper, certificate, &
+    status, iterations, products, fn, user, options, certified, first, progress, stat, errmsg)
     type(rc_system), intent(in) :: system
     real(c_double), intent(in), target, contiguous :: undeformed_gap(:, :, :)
     real(c_double), intent(in), optional, target, contiguous :: approaches(:, :), loads(:, :), p0(:, :, :)
     logical, intent(in), optional :: mask(:, :, :), warm_start
     real(c_double), intent(inout), optional, target, contiguous :: p(:, :, :), load(:, :), approach(:, :), &
-      contact_area(:, :), stiffness(:, :), certificate(:, :)
+      contact_area(:, :), mean_gap(:, :), energy(:, :), stiffness(:, :), load_lower(:, :), load_upper(:, :), area_lower(:, :), &
+      area_upper(:, :), stiffness_lower(:, :), stiffness_upper(:, :), certificate(:, :)
     integer(rc_status), intent(inout), optional, target, contiguous :: status(:, :)
     integer(c_int64_t), intent(inout), optional, target, contiguous :: iterations(:, :), products(:, :)
     type(c_funptr), intent(in), optional :: fn, progress
@@ -149,7 +162,15 @@ contains
     call place(load, 'load', batch%load)
     call place(approach, 'approach', batch%approach)
     call place(contact_area, 'contact_area', batch%contact_area)
+    call place(mean_gap, 'mean_gap', batch%mean_gap)
+    call place(energy, 'energy', batch%energy)
     call place(stiffness, 'stiffness', batch%stiffness)
+    call place(load_lower, 'load_lower', batch%load_lower)
+    call place(load_upper, 'load_upper', batch%load_upper)
+    call place(area_lower, 'area_lower', batch%area_lower)
+    call place(area_upper, 'area_upper', batch%area_upper)
+    call place(stiffness_lower, 'stiffness_lower', batch%stiffness_lower)
+    call place(stiffness_upper, 'stiffness_upper', batch%stiffness_upper)
     call place(certificate, 'certificate', batch%certificate)
     if (present(status)) then
       if (.not. tabled(shape(status))) misshapen = misshapen//' status'

@@ -5,9 +5,9 @@ module roughcontact_options
   use roughcontact_strings
   implicit none
   private
-  public :: rcf_options_create, rcf_options_destroy, rcf_options_set_int, rcf_options_set_real, rcf_options_set_text, &
-    rcf_options_parse, rcf_options_get_int, rcf_options_get_real, rcf_options_get_text, rcf_options_describe, &
-    rcf_context_create, rcf_context_destroy, rcf_backend_describe, rcf_solver_describe, rcf_kernel_describe, &
+  public :: rcf_options_create, rcf_options_copy, rcf_options_destroy, rcf_options_set_int, rcf_options_set_real, &
+    rcf_options_set_text, rcf_options_parse, rcf_options_get_int, rcf_options_get_real, rcf_options_get_text, &
+    rcf_options_describe, rcf_context_create, rcf_context_destroy, rcf_backend_describe, rcf_solver_describe, rcf_kernel_describe, &
     rcf_option_default, rcf_pair_supported, rcf_kernel_coefficients, rcf_version, rcf_or_null
 
 contains
@@ -73,6 +73,16 @@ contains
     character(*), intent(inout), optional :: errmsg
     options = c_null_ptr
     call rcf_check(rc_options_create(rcf_or_null(context), options), stat, errmsg)
+  end subroutine
+
+  ! Options of their own with the values of `from`.
+  subroutine rcf_options_copy(from, options, stat, errmsg)
+    type(c_ptr), intent(in) :: from
+    type(c_ptr), intent(out) :: options
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    options = c_null_ptr
+    call rcf_check(rc_options_copy(from, options), stat, errmsg)
   end subroutine
 
   subroutine rcf_options_destroy(options)

@@ -10,8 +10,8 @@ extern "C" {
 
 /** @defgroup history History: steps of one contact in order  @{ */
 /** Called after each completed step 0 .. n-1 of a history, on the solving thread, with pressures and gap that last until
- *  it returns. May call only rc_contact_cancel and rc_contact_accuracy. Return nonzero to end the history. Must return: no
- *  exception, no longjmp. */
+ *  it returns. May call only rc_contact_cancel, and rc_contact_accuracy and rc_contact_points, which answer for this step. Return
+ *  nonzero to end the history. Must return: no exception, no longjmp. */
 typedef int32_t (*rc_history_fn)(int64_t step, const rc_result *result, void *user);
 
 /** A loading history: increasing, decreasing or mixed. Arrays of length n; output arrays may be NULL. */
@@ -27,15 +27,23 @@ typedef struct rc_history {
   double *load;         /* out [force]                                                                               */
   double *approach;     /* out [length]                                                                              */
   double *contact_area; /* out [length^2]                                                                            */
+  double *mean_gap;     /* out [length]; if not NULL, g is computed at all points, as for a gap that is wanted       */
+  double *energy;       /* out [force length]                                                                        */
   double *stiffness;    /* out, dW/dd [force/length]; if not NULL it is computed, whatever option stiffness is       */
+  double *load_lower, *load_upper; /* out, proven interval as in rc_result [force]; if one of these six outputs is not NULL,
+                           intervals are proven, whatever option bounds is                                           */
+  double *area_lower, *area_upper; /* out [length^2]                                                                 */
+  double *stiffness_lower, *stiffness_upper; /* out [force/length]; if one is not NULL, option stiffness counts as 2 */
   double *certificate;  /* out, the largest kkt_* residual                                                           */
-  int64_t *products;     /* out, products with H                                                                     */
-  rc_history_fn fn;        /* sees each completed step's result with pressures and gap; NULL: none                      */
+  int64_t *products;    /* out, products with H                                                                      */
+  rc_history_fn fn;     /* sees each completed step's result with pressures and gap; NULL: none                      */
   void *user;           /* handed to fn                                                                              */
   int64_t completed;    /* out: steps whose outputs are written; certified, or within goal                           */
   int32_t want_gap;     /* 1: fn sees the deformed gap (default); 0: its result->gap is NULL, so that sparse contact
                            costs no product over the whole grid                                                      */
-  int32_t reserved;     /* 0                                                                                         */
+  int32_t virgin;       /* 0: with a hardness, each step presses the surface as the steps before it left it (default); 1: each
+                           presses the surface as it is before the first step, and the history leaves no indentation:
+                           rc_contact_indentation gives afterwards what it gave before. Without a hardness: no effect */
 } rc_history;
 #define RC_HISTORY_INIT RC_BEGIN_WITH_TWO(rc_history, warm_start = 1, want_gap = 1)
 
@@ -110,7 +118,9 @@ typedef struct rc_batch {
                            and those that were not reached                                                           */
   double *approach;     /* out [length]                                                                              */
   double *contact_area; /* out [length^2]                                                                            */
+  double *mean_gap, *energy; /* out, as in rc_history [length], [force length]                                       */
   double *stiffness;    /* out, dW/dd [force/length]; if not NULL it is computed, whatever option stiffness is       */
+  double *load_lower, *load_upper, *area_lower, *area_upper, *stiffness_lower, *stiffness_upper; /* out, as in rc_history */
   double *certificate;  /* out, the largest kkt_* residual                                                           */
   rc_status *status;    /* out; the first step that is neither RC_OK nor RC_WITHIN_GOAL ends its contact, and the
                            steps after it have its status. RC_STOP_CANCELLED or RC_STOP_TIME also where the
@@ -128,7 +138,8 @@ typedef struct rc_batch {
 
 /** Solves the history of every contact, each as by an rc_contact of its own and rc_contact_solve_history: the same bits, whatever
  *  the number of threads. A solver that takes many contacts at once ("haar-cuda") gives other bits than contacts of their own,
- *  with the same certificate; whatever the number of threads and of contacts, too. It is asked where fn and stiffness are NULL.
+ *  with the same certificate; whatever the number of threads and of contacts, too. It is asked where fn and the outputs from
+ *  mean_gap to stiffness_upper are NULL.
  *  Option threads: contacts that are solved at the same time, each by one thread; where the system refuses threads, fewer.
  *  Option time_limit: seconds for the whole batch. options may be NULL. A CALLBACK system's apply is called from several threads
  *  at the same time. All threads have ended when the call returns.

@@ -102,6 +102,8 @@ enum {
   RC_STOP_CANCELLED = 103,  /* the progress callback or rc_contact_cancel asked to stop                              */
   RC_STOP_STALLED = 104,    /* no further progress is possible in double precision                                   */
   RC_UNCERTIFIED = 105,     /* the solver claimed success, the library's own check disagrees                         */
+  RC_OUTSIDE = 106,         /* beyond the table: the argument is outside the range of proven values, which are continued
+                               from its nearer end                                                                   */
   RC_ERR_ARGUMENT = -1,     /* a null pointer, NaN, a value out of range, a bad struct_size                          */
   RC_ERR_SHAPE = -2,        /* array shape: nx, ny, dense_ld, or nx*ny too large                                     */
   RC_ERR_OPTION = -3,       /* unknown option key, wrong type, value out of range                                    */
@@ -225,7 +227,9 @@ typedef struct rc_result {
   rc_status status;    /* as returned; failed until an answer is written                                             */
   int32_t reserved;    /* 0                                                                                          */
   double load;         /* hx hy sum(p) [force]                                                                       */
-  double approach;     /* d [length]                                                                                 */
+  double approach;     /* d [length]. Periodic boundaries: the change of the mean gap, mean(h) - mean(g) = d, if no point is
+                          masked or at the hardness; nothing need be subtracted from it. Free boundaries: it includes the
+                          deflection of the body below the contact                                                   */
   double mean_pressure; /* load / (n hx hy) [force/length^2]                                                         */
   double max_pressure; /* the largest p [force/length^2]; 0 without contact                                          */
   double contact_area; /* contacts hx hy [length^2]                                                                  */
@@ -335,6 +339,8 @@ typedef struct rc_accuracy {
 
 /** context NULL: the default context. */
 RC_API rc_status rc_options_create(rc_context *context, rc_options **out);
+/** Options of their own with the same values, in the same context. */
+RC_API rc_status rc_options_copy(const rc_options *options, rc_options **out);
 RC_API void rc_options_destroy(rc_options *options);
 /** Errors: OPTION with the nearest key, the type or the range in the message. A dotted key loads its component. */
 RC_API rc_status rc_options_set_int(rc_options *options, const char *key, int64_t value);
@@ -378,7 +384,8 @@ RC_API rc_status rc_contact_certify(rc_contact *contact, const rc_step *step, rc
 RC_API rc_status rc_contact_accuracy(rc_contact *contact, rc_accuracy *out);
 /** The contact set of the last step that was certified or within its goal, without arrays over all points: *n = how many
  *  points carry pressure (0: none, or no such step); the first `room` of them, point numbers iy*nx + ix in ascending order
- *  and pressures [force/length^2], into index and p [room], either of which may be NULL. Errors: ARGUMENT, BUSY. */
+ *  and pressures [force/length^2], into index and p [room], either of which may be NULL. An rc_history_fn may call it for the
+ *  step that it is told of. Errors: ARGUMENT, BUSY. */
 RC_API rc_status rc_contact_points(rc_contact *contact, int64_t room, int64_t *index, double *p, int64_t *n);
 /** Changes what may change (not keys marked fixed whose value differs: OPTION). Errors: OPTION, BUSY. */
 RC_API rc_status rc_contact_set_options(rc_contact *contact, const rc_options *options);

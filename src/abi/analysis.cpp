@@ -1,4 +1,4 @@
-// rc_area_measure, rc_patches_find, rc_histogram_fill, rc_crossing_find, rc_conductance
+// rc_area_measure, rc_patches_find, rc_histogram_fill, rc_crossing_find, rc_conductance, rc_punch_stiffness
 #include <cmath>
 #include <limits>
 
@@ -9,6 +9,7 @@
 #include "analysis/crossing.h"
 #include "analysis/histogram.h"
 #include "analysis/patches.h"
+#include "contact/calls/set_stiffness.h"
 
 namespace {
 
@@ -70,6 +71,21 @@ rc_status rc_conductance(const rc_system* system, const rc_result* result, doubl
     if (lower) *lower = answer.stiffness_lower * unit;
     if (upper) *upper = answer.stiffness_upper * unit;
     return RC_OK;
+  });
+}
+
+rc_status rc_punch_stiffness(const rc_system* system, const uint8_t* mask, const rc_options* options, double* stiffness,
+                             double* lower, double* upper) {
+  return guard("rc_punch_stiffness", [&] {
+    if (!stiffness) fail(RC_ERR_ARGUMENT, "stiffness is null");
+    StiffnessInterval found;
+    const rc_status status = set_stiffness(read<rc_system>(system, "rc_system", RC_SYSTEM_INIT), mask,
+                                           options ? *options : rc_options{Context::standard(), {}}, found);
+    if (std::isnan(found.value)) return status;
+    *stiffness = found.value;
+    if (lower) *lower = found.lower;
+    if (upper) *upper = found.upper;
+    return status;
   });
 }
 

@@ -8,20 +8,14 @@ namespace {
 
 using namespace rc;
 
-rc_options options_or_defaults(const rc_options* options) { return options ? *options : rc_options{Context::standard(), {}}; }
-
-// One thread at a time: a second thread gets an error instead of a race.
 template <class Body> rc_status exclusively(const char* where, rc_contact* contact, const Body& body) {
-  return guard(where, [&] {
-    if (!contact) fail(RC_ERR_ARGUMENT, "contact is null");
-    Contact& c = contact->contact;
-    if (!c.try_enter()) fail(RC_ERR_BUSY, "the contact is in use by another thread; make one contact per thread");
-    struct Leave {
-      Contact& used;
-      ~Leave() { used.leave(); }
-    } leave{c};
-    return body(c);
-  });
+  return rc::exclusively(where, contact, "contact", [&](rc_contact& entered) { return body(entered.contact); });
+}
+
+// The same, but callbacks of the contact's may call it, too.
+template <class Body> rc_status exclusively_or_inside(const char* where, rc_contact* contact, const Body& body) {
+  if (contact && contact->entrance.inside()) return guard(where, [&] { return body(contact->contact); });
+  return exclusively(where, contact, body);
 }
 
 template <class Body> rc_status with_step(Contact& contact, const rc_step* step, rc_result* result, const Body& body) {
@@ -59,7 +53,7 @@ rc_status rc_contact_set_options(rc_contact* contact, const rc_options* options)
 rc_status rc_contact_on_progress(rc_contact* contact, rc_progress_fn fn, void* user, int64_t every) {
   return exclusively("rc_contact_on_progress", contact, [&](Contact& c) {
     if (every < 1) fail(RC_ERR_ARGUMENT, "every = ", every, " must be >= 1");
-    c.on_progress({fn, user, every});
+    c.watcher().progress = {fn, user, every};
     return RC_OK;
   });
 }
@@ -82,8 +76,8 @@ rc_status rc_contact_solve_history(rc_contact* contact, rc_history* path) {
   return exclusively("rc_contact_solve_history", contact, [&](Contact& c) {
     const rc_history today = read<rc_history>(path, "rc_history", RC_HISTORY_INIT);
     path->completed = 0;
-    check_switch(today.warm_start, "rc_history.warm_start");
-    return solve_history(c, today, path->completed);
+    check_switches(today);
+    return solve_history(c, today, wants_of(today), path->completed);
   });
 }
 
@@ -97,19 +91,17 @@ rc_status rc_contact_level(rc_contact* contact, int64_t i, rc_level* out) {
 }
 
 rc_status rc_contact_accuracy(rc_contact* contact, rc_accuracy* out) {
-  const auto told = [&](const Contact& c) {
+  return exclusively_or_inside("rc_contact_accuracy", contact, [&](const Contact& c) {
     check_size(out, "rc_accuracy");
     const rc_accuracy& found = c.accuracy();
     if (found.model_nx == 0) fail(RC_ERR_ARGUMENT, "there is no answer yet, or the last step failed");
     write(out, found);
     return RC_OK;
-  };
-  if (contact && contact->contact.inside()) return guard("rc_contact_accuracy", [&] { return told(contact->contact); });
-  return exclusively("rc_contact_accuracy", contact, told);
+  });
 }
 
 rc_status rc_contact_points(rc_contact* contact, int64_t room, int64_t* index, double* p, int64_t* n) {
-  return exclusively("rc_contact_points", contact, [&](Contact& c) {
+  return exclusively_or_inside("rc_contact_points", contact, [&](const Contact& c) {
     if (!n) fail(RC_ERR_ARGUMENT, "n is null");
     if (room < 0) fail(RC_ERR_ARGUMENT, "room = ", room, " must be >= 0");
     *n = c.grid().memory().contact_points(room, index, p);
@@ -120,7 +112,9 @@ rc_status rc_contact_points(rc_contact* contact, int64_t room, int64_t* index, d
 rc_status rc_contact_explain(rc_contact* contact, const char** out) {
   return exclusively("rc_contact_explain", contact, [&](Contact& c) {
     if (!out) fail(RC_ERR_ARGUMENT, "out is null");
-    *out = c.explain().c_str();
+    const StepOutcome& last = c.grid().memory().outcome;
+    contact->explanation = explained(c.problem().options, c.problem().system, last.choice, last.failed);
+    *out = contact->explanation.c_str();
     return RC_OK;
   });
 }
@@ -145,7 +139,7 @@ rc_status rc_contact_tangent(rc_contact* contact, rc_tangent* tangent) {
 
 rc_status rc_contact_reset(rc_contact* contact) {
   return exclusively("rc_contact_reset", contact, [&](Contact& c) {
-    c.reset();
+    c.forget(Forgotten::grids);
     return RC_OK;
   });
 }
@@ -153,7 +147,7 @@ rc_status rc_contact_reset(rc_contact* contact) {
 rc_status rc_contact_indentation(rc_contact* contact, double* indentation) {
   return exclusively("rc_contact_indentation", contact, [&](Contact& c) {
     if (!indentation) fail(RC_ERR_ARGUMENT, "indentation is null");
-    c.write_indentation({indentation, static_cast<std::size_t>(c.problem().system.points())});
+    c.grid().write_indentation({indentation, static_cast<std::size_t>(c.problem().system.points())});
     return RC_OK;
   });
 }
@@ -166,7 +160,7 @@ rc_status rc_contact_restore(rc_contact* contact, const rc_state* state) {
 }
 
 void rc_contact_cancel(rc_contact* contact) {
-  if (contact) contact->contact.cancel();
+  if (contact) contact->contact.watcher().cancel();
 }
 
 rc_status rc_solve(const rc_system* system, const rc_step* step, const rc_options* options, rc_result* result) {

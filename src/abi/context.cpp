@@ -122,7 +122,7 @@ rc_status rc_kernel_coefficients(const char* name, double hx, double hy, int64_t
     rc_options options{context_of(nullptr), {}};
     options.set(RC_OPT_KERNEL, name);
     const System checked = checked_system(system, options, false);
-    const SystemKernel kernel(options.context->kernel(checked.kernel), options, 1, 1);
+    const SystemKernel kernel(options.context->kernel(checked.kernel.name), options, 1, 1);
     // out stays as it is where a value is refused.
     std::vector<double> values(kernel.built_in() ? 0 : static_cast<std::size_t>(nx * ny));
     kernel.coefficients(system, nx, ny, values.empty() ? out : values.data());

@@ -37,6 +37,16 @@ rc_status rc_options_create(rc_context* context, rc_options** out) {
   });
 }
 
+rc_status rc_options_copy(const rc_options* options, rc_options** out) {
+  return guard("rc_options_copy", [&] {
+    if (!out) fail(RC_ERR_ARGUMENT, "out is null");
+    *out = nullptr;
+    if (!options) fail(RC_ERR_ARGUMENT, "options is null");
+    *out = new rc_options(*options);
+    return RC_OK;
+  });
+}
+
 void rc_options_destroy(rc_options* options) { delete options; }
 
 rc_status rc_options_set_int(rc_options* options, const char* key, int64_t value) {

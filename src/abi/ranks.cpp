@@ -115,7 +115,7 @@ rc_status rc_ranks_contact_solve_history(rc_ranks_contact* contact, rc_history* 
     on_all(&c.ranks(), [&] {
       today = read<rc_history>(path, "rc_history", RC_HISTORY_INIT);
       path->completed = 0;
-      check_switch(today.warm_start, "rc_history.warm_start");
+      check_switches(today);
     });
     return c.solve_history(today, path->completed);
   });

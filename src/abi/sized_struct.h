@@ -56,6 +56,11 @@ template <class Array> void check_array(const Array& array, const char* name, bo
   if (array.reserved != 0) fail(RC_ERR_ARGUMENT, name, ".reserved = ", array.reserved, " must be 0");
 }
 
+inline void check_switches(const rc_history& history) {
+  check_switch(history.warm_start, "rc_history.warm_start");
+  check_switch(history.virgin, "rc_history.virgin");
+}
+
 inline rc_step read_step(const rc_step* from) {
   const rc_step step = read<rc_step>(from, "rc_step", RC_STEP_INIT);
   check_switch(step.warm_start, "rc_step.warm_start");

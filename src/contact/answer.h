@@ -15,29 +15,34 @@
 
 namespace rc {
 
+struct AnswerUnits {
+  double length = 1;                                          // [length]
+  double pressure = 1;                                        // [force/length^2]
+  double hardness = std::numeric_limits<double>::infinity();  // [force/length^2] the largest pressure
+
+  double cap() const { return hardness / pressure; }  // the largest dimensionless pressure
+  // A point at the cap has the hardness itself.
+  double pressure_of(double value) const { return value < cap() ? value * pressure : hardness; }
+};
+
 // A solution on a trial set, before it is certified.
 struct Answer {
   rc_status status = RC_OK;
   Choice choice = {};
-  Operator* op = nullptr;                                     // bound to the trial set
-  std::vector<double> p;                                      // on the trial set, dimensionless
-  std::vector<double> before;                                 // [pressure] there, at an earlier approach; empty: not known
-  double length_unit = 1;                                     // [length]
-  double pressure_unit = 1;                                   // [force/length^2]
-  double hardness = std::numeric_limits<double>::infinity();  // [force/length^2] the largest pressure
-  double compression = 0;                                     // [length] approach less the lowest gap
-  double limit = -std::numeric_limits<double>::infinity();    // [length] every point below this height is in the trial set
-  std::optional<Deflected> checked;                           // H p where it matters, if the operator screened all points
+  Operator* op = nullptr;      // bound to the trial set
+  std::vector<double> p;       // on the trial set, dimensionless
+  std::vector<double> before;  // [pressure] there, at an earlier approach; empty: not known
+  AnswerUnits units = {};
+  double compression = 0;                                   // [length] approach less the lowest gap
+  double limit = -std::numeric_limits<double>::infinity();  // [length] every point below this height is in the trial set
+  std::optional<Deflected> checked;                         // H p where it matters, if the operator screened all points
   bool handed_over = false;  // the solver's own load control stalled; an iteration on the approach took over
   double datum_shift = 0;    // [length] what the trial set's zero mode adds to H p
   KeptSteps history;         // of p
 
-  double cap() const { return hardness / pressure_unit; }  // the largest p
-
-  // A point at the cap has the hardness itself.
   Pressures pressures() const {
     Pressures result{op->trial(), p};
-    for (double& value : result.p) value = pressure_of(value);
+    for (double& value : result.p) value = units.pressure_of(value);
     return result;
   }
   // The same; afterwards p is empty.
@@ -50,24 +55,19 @@ struct Answer {
           result.p[i] = of(result.p[i]);
       });
     };
-    if (hardness < std::numeric_limits<double>::infinity())
-      take([&](double value) { return pressure_of(value); });
+    if (units.hardness < std::numeric_limits<double>::infinity())
+      take([&](double value) { return units.pressure_of(value); });
     else
-      take([unit = pressure_unit](double value) { return value * unit; });
+      take([unit = units.pressure](double value) { return value * unit; });
     return result;
   }
-
- private:
-  double pressure_of(double value) const { return value < cap() ? value * pressure_unit : hardness; }
 };
 
 // Without operator and pressures. unit: 1 in dimensionless lengths [length].
 inline Answer answer_in(double unit, const Choice& choice, const System& system) {
   Answer answer;
   answer.choice = choice;
-  answer.length_unit = unit;
-  answer.pressure_unit = unit / system.length_per_pressure;
-  answer.hardness = system.hardness;
+  answer.units = {unit, unit / system.length_per_pressure, system.hardness};
   return answer;
 }
 

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "contact/problem.h"
+#include "contact/surface/trial_box.h"
 #include "core/error.h"
 #include "platform/memory.h"
 
@@ -34,8 +35,8 @@ const char* kind_of(const System& system) {
 // What of this system is beyond the backend; "" if nothing is.
 std::string beyond(const rc_backend& backend, const System& system) {
   if ((backend.caps & system.needed_caps()) != system.needed_caps()) return kind_of(system);
-  if ((backend.caps & RC_CAP_FAR_FIELD) && system.halfspace() && !system.influence->has(RC_KERNEL_FAR_FIELD))
-    return join("kernel \"", system.kernel, "\", whose far field is not that of the half-space");
+  if ((backend.caps & RC_CAP_FAR_FIELD) && system.halfspace() && !system.kernel.influence->has(RC_KERNEL_FAR_FIELD))
+    return join("kernel \"", system.kernel.name, "\", whose far field is not that of the half-space");
   return {};
 }
 bool factors(const rc_backend& backend) { return (backend.caps & RC_CAP_SUBSET) != 0; }
@@ -90,7 +91,7 @@ struct Question {
       options.text(RC_OPT_SOLVER) == "auto" || facts.partial ? nullptr : &options.context->solver(options.text(RC_OPT_SOLVER));
   const bool any_backend = options.text(RC_OPT_BACKEND) == "auto";
   const bool fallbacks = options.integer(RC_OPT_ALLOW_FALLBACK) != 0, deterministic = options.integer(RC_OPT_DETERMINISTIC) != 0;
-  const Host host{*options.context, system.influence.get()};
+  const Host host{*options.context, system.kernel.influence.get()};
 
   // Every pair of these, the best first.
   std::vector<Candidate> pairs(const Backends& backends, const Solvers& solvers) const {
@@ -303,6 +304,7 @@ const rc_solver& solver_inside(const rc_options& options, const System& system, 
 
 std::string explained(const rc_options& options, const System& system, const Choice& choice,
                       const std::vector<std::string>& failed) {
+  if (!choice.solver) return {};
   const StepFacts& facts = choice.facts;
   const Question question{options, system, facts, failed, true};
   std::vector<Candidate> all = answered(question);

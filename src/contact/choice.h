@@ -57,7 +57,7 @@ Choice choose_for(const GridProblem& problem, const TrialSet& trial, std::int32_
 const rc_solver& solver_inside(const rc_options& options, const System& system, const StepFacts& facts,
                                const rc_backend& backend);
 
-// The text of rc_contact_explain.
+// The text of rc_contact_explain; "" without a choice.
 std::string explained(const rc_options& options, const System& system, const Choice& choice,
                       const std::vector<std::string>& failed);
 

@@ -25,6 +25,27 @@ struct ProgressCallback {
   std::int64_t every = 1;
 };
 
+// Who watches the steps of a contact and may cancel them: a caller, or the monitor of a finer grid.
+struct Watcher {
+  ProgressCallback progress = {};
+  std::atomic<bool> cancelled = false;
+
+  void cancel() { cancelled.store(true, std::memory_order_relaxed); }
+};
+
+// While it lives, a cancellation ends the running solve or the next one. Its destructor clears the cancellation.
+class Cancellable {
+ public:
+  explicit Cancellable(Watcher& watcher) : watcher_(watcher) {}
+  ~Cancellable() { watcher_.cancelled.store(false, std::memory_order_relaxed); }
+  Cancellable(const Cancellable&) = delete;
+  Cancellable& operator=(const Cancellable&) = delete;
+  bool cancelled() const { return watcher_.cancelled.load(std::memory_order_relaxed); }
+
+ private:
+  Watcher& watcher_;
+};
+
 class Monitor {
  public:
   // before: what the operators had spent.
@@ -85,5 +106,19 @@ class Monitor {
   const Clock::time_point start_ = Clock::now();
   std::int64_t iterations_ = 0, iteration_ = 0, next_report_ = 0;
 };
+
+// For a solve inside the monitor's, which must outlive it: the first stops it when the monitor says so; the second shows its
+// progress to the monitor's caller, too.
+inline ProgressCallback stopped_by(const Monitor& monitor) {
+  const auto ask = [](const rc_progress*, void* of) -> std::int32_t { return static_cast<const Monitor*>(of)->ask() != RC_OK; };
+  return {ask, const_cast<Monitor*>(&monitor), 1};
+}
+inline ProgressCallback reported_by(const Monitor& monitor) {
+  const auto pass_on = [](const rc_progress* progress, void* of) -> std::int32_t {
+    const Monitor& outer = *static_cast<const Monitor*>(of);
+    return outer.ask() != RC_OK || outer.report(*progress) != 0;
+  };
+  return {pass_on, const_cast<Monitor*>(&monitor), 1};
+}
 
 }  // namespace rc

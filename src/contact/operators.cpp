@@ -15,7 +15,7 @@ Operator& Operators::bound(const rc_backend& backend, const TrialSet& trial) {
   auto it = made_.find(backend.name);
   if (it == made_.end()) {
     auto made = rows_ ? std::make_unique<Operator>(rows_->bound(backend, {rows_->problem_.own_points(), {}}))
-                      : std::make_unique<Operator>(backend, problem_.host, system.unit, system.kernel, problem_.options,
+                      : std::make_unique<Operator>(backend, problem_.host, system.unit, system.kernel.name, problem_.options,
                                                    problem_.team(), system.operator_scale, problem_.company().rows());
     it = made_.emplace(backend.name, std::move(made)).first;
   }
@@ -48,7 +48,7 @@ bool Operators::coefficients_by_team(std::int64_t mx, std::int64_t my, double* o
   std::atomic<bool> all = true;
   roughcontact::for_each(team, (my + rows - 1) / rows, true, [&](std::int64_t item, std::int64_t) {
     const std::int64_t first = item * rows, count = std::min(rows, my - first);
-    if (host.window(&host, &system.unit, system.kernel.c_str(), 0, first, mx, count, out + first * mx) != RC_OK) all = false;
+    if (host.window(&host, &system.unit, system.kernel.name.c_str(), 0, first, mx, count, out + first * mx) != RC_OK) all = false;
   });
   return all;
 }
@@ -57,7 +57,9 @@ rc_status Operators::coefficients(std::int64_t mx, std::int64_t my, double* out)
   constexpr std::int64_t most = 1 << 14;  // values that are kept
   const System& system = problem_.system;
   const Host& host = problem_.host;
-  const auto computed = [&](double* to) { return host.coefficients(&host, &system.unit, system.kernel.c_str(), mx, my, to); };
+  const auto computed = [&](double* to) {
+    return host.coefficients(&host, &system.unit, system.kernel.name.c_str(), mx, my, to);
+  };
   if (mx > most / my) return coefficients_by_team(mx, my, out) ? RC_OK : computed(out);
   if (mx != table_.mx || my != table_.my) {
     rc_status status = RC_OK;

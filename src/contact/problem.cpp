@@ -20,7 +20,7 @@ void check_names(const rc_options& options, const System& system) {
 
 // Components of systems without a half-space share nothing: their matrix or product is the caller's.
 std::string key_of(const System& system, const GridProblem& problem) {
-  return system.halfspace() ? system.key : join("contact ", static_cast<const void*>(&problem));
+  return system.halfspace() ? system.kernel.key : join("contact ", static_cast<const void*>(&problem));
 }
 
 // An accuracy goal loosens tol: digits below the grid's own error are wasted.
@@ -35,7 +35,7 @@ rc_options loosened(const rc_options& given) {
 
 GridProblem::GridProblem(const rc_system& given, const rc_options& given_options, const rc_team* team, const Company& company)
     : system(checked_system(given, given_options, true)),
-      host(*given_options.context, system.influence.get(), key_of(system, *this)),
+      host(*given_options.context, system.kernel.influence.get(), key_of(system, *this)),
       options(given_options),
       team_(team),
       company_(company) {
@@ -58,15 +58,16 @@ void GridProblem::set_options(const rc_options& given) {
   options = loosened(given);
 }
 
-rc_grid GridProblem::grid() const {
+rc_grid grid_of(const GridProblem& problem) {
+  const System& system = problem.system;
   const rc_system& s = system.given;
   return {.struct_size = sizeof(rc_grid),
           .nx = s.nx,
           .ny = s.ny,
           .hx = s.hx,
           .hy = s.hy,
-          .mask = surface.mask(),
-          .softness = system.periodic() ? system.lambda_most / system.half_space_wave() : 1,
+          .mask = problem.surface.mask().data(),
+          .softness = system.periodic() ? system.bounds.lambda_most / system.half_space_wave() : 1,
           .boundary = s.boundary};
 }
 

@@ -23,16 +23,18 @@ class Operators;
 struct Attempt;
 struct Spectrum;
 
-// The accuracy goal: what the option accuracy asks for.
+// What a caller asks of a contact; contacts of coarser grids have nothing of it.
 struct Goal {
-  double error = 0;  // relative; 0: none
+  double error = 0;  // the option accuracy: a relative error; 0: none
   bool of_area = false;
+  bool keeps_answers = false;       // its solvers keep answers for the next step
+  bool leaves_indentation = false;  // its certified steps leave a plastic indentation
 
   // A tolerance far below the goal. Areas need a smaller one: they count points, some of which carry hardly any pressure.
   double tol() const { return error / (of_area ? 1000 : 100); }
 };
 inline Goal goal_of(const rc_options& options) {
-  return {options.real(RC_OPT_ACCURACY), options.text(RC_OPT_ACCURACY_OF) == "area"};
+  return {options.real(RC_OPT_ACCURACY), options.text(RC_OPT_ACCURACY_OF) == "area", true, true};
 }
 
 // Facts for proofs and remarks, computed when a step first needs them.
@@ -55,17 +57,13 @@ class GridProblem {
   void set_options(const rc_options& given);
   const Company& company() const { return company_; }
   const rc_team& team() const { return *team_; }
-  std::int64_t own_rows() const { return company_.own_rows(system.given.ny); }
-  std::int64_t own_points() const { return system.given.nx * own_rows(); }  // of this process
-  rc_grid grid() const;                                                     // of a half-space; without its gap
+  std::int64_t own_points() const { return system.given.nx * company_.own_rows(system.given.ny); }  // of this process
   Operators& operators() const { return *operators_; }
 
   const System system;
   const Host host;  // with the system's kernel
   rc_options options;
-  // Both set by Contact: the contact of a coarser grid has no goal, and its solvers keep nothing between steps.
   Goal goal;
-  bool keeps_answers = false;
   StepSurface surface;
   GapOnDevice gap_on_device;      // of the surface, if it is_of() that
   CoarseGrids* coarse = nullptr;  // solves coarser grids for solvers; it outlives the step
@@ -77,6 +75,9 @@ class GridProblem {
   const Company company_;
   std::unique_ptr<Operators> operators_;
 };
+
+// The grid of a half-space, without its gap.
+rc_grid grid_of(const GridProblem& problem);
 
 // Coarser grids for solvers: rc_problem.coarse.
 class CoarseGrids {

@@ -93,9 +93,9 @@ Spectrum spectrum_of(const System& system) {
   if (system.given.op == RC_OPERATOR_DENSE && system.points() <= most_factorised_points) return factorised(system);
   if (!system.halfspace()) return {};
   Spectrum result;
-  result.lowest = system.periodic() ? system.lambda_wave : system.lambda_min;
-  result.galerkin_share = system.galerkin_share;
-  system.influence->coefficients(system.unit, 1, 1, &result.diagonal);
+  result.lowest = system.periodic() ? system.bounds.lambda_wave : system.bounds.lambda_min;
+  result.galerkin_share = system.bounds.galerkin_share;
+  system.kernel.influence->coefficients(system.unit, 1, 1, &result.diagonal);
   return result;
 }
 

@@ -85,30 +85,32 @@ void probe_callback(System& result) {
 // Everything that a component can see of the half-space, the kernel's options included.
 std::string key_of(const System& system, const rc_options& options, double cell) {
   const rc_system& unit = system.unit;
-  std::string text = join(system.kernel, " ", unit.nx, " ", unit.ny, " ", unit.boundary, " ", exact(unit.hx), " ", exact(unit.hy),
-                          " ", exact(unit.hardness), " ", exact(cell), " ", exact(system.given.modulus));
+  std::string text = join(system.kernel.name, " ", unit.nx, " ", unit.ny, " ", unit.boundary, " ", exact(unit.hx), " ",
+                          exact(unit.hy), " ", exact(unit.hardness), " ", exact(cell), " ", exact(system.given.modulus));
   for (const OptionSpec* spec : options.context->known_options())
-    if (spec->key.starts_with(system.kernel + '.')) text += join(" ", spec->key, "=", options.values.text_of(*spec));
+    if (spec->key.starts_with(system.kernel.name + '.')) text += join(" ", spec->key, "=", options.values.text_of(*spec));
   return text;
 }
 
 Promises promises_of(const System& system) {
   Promises result;
   result.most = system.half_space_wave();
-  result.bounds = system.influence->bounds(system.unit, result.most);
-  if (!system.influence->built_in()) system.influence->coefficients(system.unit, 1, 1, &result.self);
+  result.bounds = system.kernel.influence->bounds(system.unit, result.most);
+  if (!system.kernel.influence->built_in()) system.kernel.influence->coefficients(system.unit, 1, 1, &result.self);
   return result;
 }
 
 void take_promises(System& result, const rc_options& options) {
   const auto make = [&] { return std::make_shared<const Promises>(promises_of(result)); };
   // Those of other kernels are looked at anew, as the library trusts none.
-  result.promises =
-      result.influence->built_in() ? options.context->shared().get<const Promises>("promises " + result.key, make) : make();
-  result.lambda_most = result.promises->most;
-  (result.periodic() ? result.lambda_wave : result.lambda_min) = result.promises->bounds.lowest;
-  result.galerkin_share = result.promises->bounds.galerkin_share;
-  if (!result.influence->built_in()) result.least_deflection = std::min(result.least_deflection, result.promises->self);
+  result.kernel.promises = result.kernel.influence->built_in()
+                               ? options.context->shared().get<const Promises>("promises " + result.kernel.key, make)
+                               : make();
+  result.bounds.lambda_most = result.kernel.promises->most;
+  (result.periodic() ? result.bounds.lambda_wave : result.bounds.lambda_min) = result.kernel.promises->bounds.lowest;
+  result.bounds.galerkin_share = result.kernel.promises->bounds.galerkin_share;
+  if (!result.kernel.influence->built_in())
+    result.bounds.least_deflection = std::min(result.bounds.least_deflection, result.kernel.promises->self);
 }
 
 }  // namespace
@@ -140,8 +142,8 @@ System checked_system(const rc_system& system, const rc_options& options, bool p
              " times as long as wide: their influence coefficients are beyond double precision");
       const double cell = std::sqrt(system.hx) * std::sqrt(system.hy);
       const auto& kernel = resolved_kernel(system, options);
-      result.kernel = kernel.vtable.name;
-      result.influence = std::make_shared<SystemKernel>(kernel, options, cell, system.modulus);
+      result.kernel.name = kernel.vtable.name;
+      result.kernel.influence = std::make_shared<SystemKernel>(kernel, options, cell, system.modulus);
       result.unit.hx = system.hx / cell;
       result.unit.hy = system.hx == system.hy ? result.unit.hx : system.hy / cell;
       result.unit.modulus = 1;
@@ -150,8 +152,8 @@ System checked_system(const rc_system& system, const rc_options& options, bool p
         fail(RC_ERR_ARGUMENT, "sqrt(hx*hy)/modulus = ", cell, " / ", system.modulus,
              " is beyond double precision; choose other units");
       result.unit.hardness = result.capped() ? system.hardness / system.modulus : 0;
-      result.positive = !result.periodic() && result.influence->has(RC_KERNEL_POSITIVE);
-      result.key = key_of(result, options, cell);
+      result.positive = !result.periodic() && result.kernel.influence->has(RC_KERNEL_POSITIVE);
+      result.kernel.key = key_of(result, options, cell);
       if (probe) take_promises(result, options);
       break;
     }

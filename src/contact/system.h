@@ -18,20 +18,29 @@ struct Promises {
   double self = 0;  // free boundaries: the coefficient at offset 0, of a kernel that is not built in
 };
 
-struct System {
-  rc_system given;                                // as the caller described it
-  rc_system unit;                                 // HALFSPACE: modulus 1 and cells of unit area; else as given
+struct ChosenKernel {
+  std::string name;  // "" without a half-space
+  std::string key;   // what a component can see of the half-space; where it is the same, they may share objects
   std::shared_ptr<const SystemKernel> influence;  // null without a half-space
-  std::shared_ptr<const Promises> promises;       // of the kernel; of built-in ones shared in the context
-  std::string key;                                // the same text: components may share objects; "" without a half-space
-  std::string kernel;                             // resolved name, "" without a half-space
-  double length_per_pressure = 1;                 // H [length per pressure] = this times the dimensionless operator
-  double operator_scale = 1;                      // products of `unit` divided by this are dimensionless
-  double lambda_min = 0;           // a lower bound of the eigenvalues of the dimensionless operator; 0: none is known
-  double galerkin_share = 0;       // free boundaries: x'Hx is at least this times that of the kernel galerkin
-  double least_deflection = 0.25;  // of a cell under unit pressure, dimensionless
+  std::shared_ptr<const Promises> promises;       // of built-in kernels shared in the context
+};
+
+// Bounds of the dimensionless operator.
+struct OperatorBounds {
+  double lambda_min = 0;           // of the eigenvalues, from below; 0: none is known
   double lambda_wave = 0;          // periodic: the same without the mean's eigenvalue, which is 0
   double lambda_most = 0;          // periodic: the largest eigenvalue but the mean's
+  double galerkin_share = 0;       // free boundaries: x'Hx is at least this times that of the kernel galerkin
+  double least_deflection = 0.25;  // of a cell under unit pressure
+};
+
+struct System {
+  rc_system given;  // as the caller described it
+  rc_system unit;   // HALFSPACE: modulus 1 and cells of unit area; else as given
+  ChosenKernel kernel = {};
+  OperatorBounds bounds = {};
+  double length_per_pressure = 1;  // H [length per pressure] = this times the dimensionless operator
+  double operator_scale = 1;       // products of `unit` divided by this are dimensionless
   bool positive = true;            // H has no negative entries, so points with gap >= d carry no pressure
   double hardness = std::numeric_limits<double>::infinity();  // [pressure] the largest; infinite: all is elastic
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "contact/problem.h"
+#include "core/array.h"
 #include "core/certificate_terms.h"
 #include "core/error.h"
 
@@ -26,22 +27,24 @@ void check(const Step& step, const GridProblem& problem, const StepSurface& surf
   if (!std::isfinite(target)) fail(RC_ERR_ARGUMENT, "rc_step.target = ", target, " is not finite");
   if (by_load && target < 0)
     fail(RC_ERR_INFEASIBLE, "load = ", target, " is negative; a contact without adhesion cannot pull, the smallest load is 0");
-  if (by_load && target > 0 && surface.included_points() == 0)
+  if (by_load && target > 0 && surface.range().included == 0)
     fail(RC_ERR_INFEASIBLE, "load = ", target, " but every point is excluded by the mask");
-  const double most = system.hardness * system.cell_area() * static_cast<double>(surface.included_points());
+  const double most = system.hardness * system.cell_area() * static_cast<double>(surface.range().included);
   if (by_load && target > most * (1 + 8 * std::numeric_limits<double>::epsilon()))
-    fail(RC_ERR_INFEASIBLE, "load = ", target, " is more than hardness times the area of the ", surface.included_points(),
+    fail(RC_ERR_INFEASIBLE, "load = ", target, " is more than hardness times the area of the ", surface.range().included,
          " points that may carry pressure, ", most, "; prescribe less load, or allow more points");
   const double depth = target - surface.lowest();
-  if (by_approach && !system.capped() && system.periodic() && surface.whole() && beyond_mean_plane(depth, surface.mean_height()))
-    fail(RC_ERR_INFEASIBLE, "approach = ", target, " reaches the mean plane of the gap, ", surface.mean(),
+  if (by_approach && !system.capped() && system.periodic() && surface.range().whole &&
+      beyond_mean_plane(depth, surface.moments().mean))
+    fail(RC_ERR_INFEASIBLE, "approach = ", target, " reaches the mean plane of the gap, ",
+         surface.lowest() + surface.moments().mean,
          ": with periodic boundaries the load is not determined there; prescribe the load");
-  if (by_approach && system.periodic() && depth > 0 && depth < least_depth * surface.range())
+  if (by_approach && system.periodic() && depth > 0 && depth < least_depth * surface.range().width())
     fail(RC_ERR_ARGUMENT, "approach = ", target, " is above the lowest gap by ", depth, ", less than ", least_depth,
-         " of the gap's range, ", surface.range(), "; check the units, or prescribe the load");
-  if (surface.included_points() > 0 &&
-      !(std::isfinite(surface.highest() - surface.lowest()) && (by_load || std::isfinite(depth))))
-    fail(RC_ERR_ARGUMENT, "the gap's range, ", surface.lowest(), " .. ", surface.highest(), ", and the target ", target,
+         " of the gap's range, ", surface.range().width(), "; check the units, or prescribe the load");
+  if (surface.range().included > 0 &&
+      !(std::isfinite(surface.range().highest - surface.lowest()) && (by_load || std::isfinite(depth))))
+    fail(RC_ERR_ARGUMENT, "the gap's range, ", surface.lowest(), " .. ", surface.range().highest, ", and the target ", target,
          " are too far apart for double precision");
   problem.company().on_all([&] {
     for (std::int64_t i = 0; step.p0.data && i < problem.own_points(); ++i)
@@ -51,12 +54,12 @@ void check(const Step& step, const GridProblem& problem, const StepSurface& surf
 }
 
 bool Target::touches(const StepSurface& surface) const {
-  if (surface.included_points() == 0) return false;
+  if (surface.range().included == 0) return false;
   return by_load() ? value != 0 : value > surface.lowest();
 }
 
 double Target::compression(const StepSurface& surface) const {
-  return surface.included_points() > 0 ? value - surface.lowest() : 0;
+  return surface.range().included > 0 ? value - surface.lowest() : 0;
 }
 
 // The scale follows from the problem alone: an answer must not set the scale that it is judged by. Periodic, load control: in
@@ -70,9 +73,9 @@ double residual_scale(const Target& target, const GridProblem& problem, double c
   return residual_scale(
       {.periodic = system.periodic(),
        .by_load = target.by_load(),
-       .whole = problem.surface.whole(),
-       .deflected = system.least_deflection * system.length_per_pressure * mean_pressure,
-       .mean_height = system.periodic() && !target.by_load() ? problem.surface.mean_height() : 0,  // a pass over the surface
+       .whole = problem.surface.range().whole,
+       .deflected = system.bounds.least_deflection * system.length_per_pressure * mean_pressure,
+       .mean_height = system.periodic() && !target.by_load() ? problem.surface.moments().mean : 0,  // a pass over the surface
        .tol = problem.options.real(RC_OPT_TOL)},
       compression);
 }

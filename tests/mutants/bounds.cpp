@@ -164,7 +164,7 @@ void near_the_mean_plane(Figures& figures) {
     for (const double off : {1e-2, 1e-6, 1e-12}) {
       Small small(6, 6);
       small.given.boundary = RC_BOUNDARY_PERIODIC;
-      small.press(small.surface().mean_height() - below, off, 2);
+      small.press(small.surface().moments().mean - below, off, 2);
       const std::string name = "mean/" + std::to_string(below * 1e6) + "/" + std::to_string(off * 1e6);
       put(figures, name, small);
       Small stray = small;
@@ -182,7 +182,7 @@ void flat_beside_one_deflection(Figures& figures) {
     for (const double stray : {0.0, 1e-3, 3e-2}) {
       Small small(6, 6);
       small.given.boundary = RC_BOUNDARY_PERIODIC;
-      small.press(small.surface().mean_height() - 0.1, off, 2);
+      small.press(small.surface().moments().mean - 0.1, off, 2);
       std::size_t last = 0;
       for (std::size_t i = 0; i < small.points(); ++i)
         if (!(small.answer.pressures.p[i] > 0)) last = i;

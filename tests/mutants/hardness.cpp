@@ -105,7 +105,7 @@ void around_the_mean_plane(Figures& figures) {
       for (const double c : {0.05, 0.4, 9.0}) {
         Small small(6, 6);
         small.given.boundary = RC_BOUNDARY_PERIODIC;
-        small.press(small.surface().mean_height() - below, off, 2);
+        small.press(small.surface().moments().mean - below, off, 2);
         small.cap(c);
         const std::string name =
             "mean/" + std::to_string(below * 1e6) + "/" + std::to_string(off * 1e6) + "/" + std::to_string(c);

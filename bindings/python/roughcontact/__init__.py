@@ -54,6 +54,7 @@ from .context import (
     solvers as solvers,
     version as version,
 )
+from ._influence import Influence as Influence
 from ._history_result import HistoryResult as HistoryResult
 from .result import Accuracy as Accuracy, BatchResult as BatchResult, Grid as Grid, Level as Level, Result as Result
 from ._solve import history as history, solve as solve

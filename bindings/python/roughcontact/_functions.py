@@ -20,6 +20,7 @@ class ContactFunctions(Protocol):
     rc_version: Callable[[statuses, statuses, statuses, statuses], None]
     rc_gap_from_heights: Callable[[int64_t, doubles, bytes_, doubles], rc_status]
     rc_options_create: Callable[[handle, handles], rc_status]
+    rc_options_copy: Callable[[handle, handles], rc_status]
     rc_options_destroy: Callable[[handle], None]
     rc_options_set_int: Callable[[handle, text, int64_t], rc_status]
     rc_options_set_real: Callable[[handle, text, double], rc_status]
@@ -55,11 +56,15 @@ class ContactFunctions(Protocol):
     rc_cmr: Callable[
         [int64_t, int64_t, double, double, double, doubles, double, int64_t, double, text, doubles, rc_direct], rc_status
     ]
+    rc_product_create: Callable[[rc_system, handle, handles], rc_status]
+    rc_product_destroy: Callable[[handle], None]
+    rc_product_apply: Callable[[handle, doubles, int64_t, int64_t, doubles, int64_t, int64_t], rc_status]
     rc_area_measure: Callable[[rc_system, doubles, bytes_, rc_area], rc_status]
     rc_patches_find: Callable[[rc_system, doubles, bytes_, rc_patches], rc_status]
     rc_histogram_fill: Callable[[rc_system, doubles, bytes_, rc_histogram], rc_status]
     rc_crossing_find: Callable[[rc_system, doubles, bytes_, rc_crossing], rc_status]
     rc_conductance: Callable[[rc_system, rc_result, double, double, doubles, doubles, doubles], rc_status]
+    rc_punch_stiffness: Callable[[rc_system, bytes_, handle, doubles, doubles, doubles], rc_status]
     rc_context_create: Callable[[rc_context_config, handles], rc_status]
     rc_context_destroy: Callable[[handle], None]
     rc_backend_count: Callable[[handle], int64_t]

@@ -25,6 +25,7 @@ def history_on(
     undeformed_gap: Optional[Doubles],
     mask: Optional[Mask],
     warm_start: Optional[bool],
+    virgin: Optional[bool],
     stiffness: bool,
     keep_pressure: bool,
     want_gap: bool,
@@ -43,7 +44,8 @@ def history_on(
     results: List[Result] = []
 
     struct = given(rc_history(), control=what.control, warm_start=as_switch(warm_start), n=n, targets=targets)
-    given(struct, undeformed_gap=undeformed_gap, mask=mask, stiffness=tangents, want_gap=int(want_gap or each is not None))
+    given(struct, undeformed_gap=undeformed_gap, mask=mask, virgin=as_switch(virgin), stiffness=tangents)
+    given(struct, want_gap=int(want_gap or each is not None))
 
     def after(step: int, answer: Any, _: Any) -> object:
         found, grid = answer.contents, contact.grid()

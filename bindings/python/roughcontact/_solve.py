@@ -165,6 +165,7 @@ def history(
     mask: Optional[ArrayLike] = None,
     missing: str = "reject",
     warm_start: Optional[bool] = None,
+    virgin: Optional[bool] = None,
     stiffness: bool = False,
     keep_pressure: bool = False,
     want_gap: bool = False,
@@ -190,6 +191,8 @@ def history(
     """Solves the steps of a loading history in order, each from the pressures of the one before.
 
     approach, load or pressure: one value for each step, in any order
+    virgin: whether every step presses the surface as it is before the first, with a hardness: none sees the plastic
+        indentation of those before it
     stiffness: whether to compute dW/dd
     keep_pressure: whether to keep the pressures of all steps
     want_gap: whether each step computes its deformed gap, for the mean gap of sparse contact; with `each` it does
@@ -205,4 +208,4 @@ def history(
     )
     what = prescribed(system, approach=approach, load=load, pressure=pressure)
     with Contact(system, options=options, progress=progress, every=every, context=context) as contact:
-        return history_on(contact, what, found_gap, mask, warm_start, stiffness, keep_pressure, want_gap, each, check)
+        return history_on(contact, what, found_gap, mask, warm_start, virgin, stiffness, keep_pressure, want_gap, each, check)

@@ -16,6 +16,7 @@ class Status(enum.IntEnum):
     STOP_CANCELLED = 103
     STOP_STALLED = 104
     UNCERTIFIED = 105
+    OUTSIDE = 106
     ERR_ARGUMENT = -1
     ERR_SHAPE = -2
     ERR_OPTION = -3

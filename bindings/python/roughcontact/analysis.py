@@ -21,11 +21,12 @@ from ._errors import ArgumentError, ShapeError
 from ._library import contact_library
 from ._brief import brief
 from ._structs import rc_area, rc_crossing, rc_histogram, rc_patches, rc_result
-from .system import grid_struct
+from .context import Context, Options, OptionSet
+from .system import System, grid_struct
 
 __all__ = [
-    *("area", "patches", "histogram", "crossing", "conductance"),
-    *("Area", "Patches", "Histogram", "Crossing", "Conductance"),
+    *("area", "patches", "histogram", "crossing", "conductance", "punch_stiffness"),
+    *("Area", "Patches", "Histogram", "Crossing", "Conductance", "PunchStiffness"),
 ]
 
 
@@ -99,6 +100,15 @@ class Crossing:
 @dataclass(frozen=True)
 class Conductance:
     """Of a contact; the exact one lies between lower and upper, NaN unless option stiffness is 2."""
+
+    value: float
+    lower: float
+    upper: float
+
+
+@dataclass(frozen=True)
+class PunchStiffness:
+    """[force/length]; the exact one lies between lower and upper, NaN where no bound of the operator's eigenvalues is known."""
 
     value: float
     lower: float
@@ -188,3 +198,18 @@ def conductance(result: Any, rho1: float, rho2: float) -> Conductance:
     found = [ctypes.c_double() for _ in names]
     check(contact_library().rc_conductance(system, struct, float(rho1), float(rho2), *found))
     return Conductance(*(each.value for each in found))
+
+
+def punch_stiffness(
+    system: System, mask: Optional[ArrayLike] = None, *, options: Options = None, context: Optional[Context] = None
+) -> PunchStiffness:
+    """dW/dd of a rigid flat punch that touches exactly the points where the mask is not 0; None: all. A contact on these points
+    has this `Result.stiffness`. Infinite for all points of a periodic system."""
+    touching = as_mask(mask, "mask", system.shape)
+    struct, product = system.struct()
+    found = [ctypes.c_double() for _ in range(3)]
+    with OptionSet(options, context) as handle:
+        status = contact_library().rc_punch_stiffness(struct, pointer(touching), handle, *found)
+        product.raise_first()
+        check(status)
+    return PunchStiffness(*(each.value for each in found))

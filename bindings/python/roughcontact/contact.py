@@ -242,6 +242,7 @@ class Contact(Handle):
         mask: Optional[ArrayLike] = None,
         missing: str = "reject",
         warm_start: Optional[bool] = None,
+        virgin: Optional[bool] = None,
         stiffness: bool = False,
         keep_pressure: bool = False,
         want_gap: bool = False,
@@ -251,7 +252,7 @@ class Contact(Handle):
         """Solves a loading history; see `roughcontact.history`. Without either, on the surface of the last step."""
         gap_array, mask_array = gap_and_mask(self.system, heights, undeformed_gap, mask, missing)
         what = prescribed(self.system, approach=approach, load=load, pressure=pressure)
-        return history_on(self, what, gap_array, mask_array, warm_start, stiffness, keep_pressure, want_gap, each, check)
+        return history_on(self, what, gap_array, mask_array, warm_start, virgin, stiffness, keep_pressure, want_gap, each, check)
 
     def levels(self) -> List[Level]:
         """Coarse solutions of the last step, the coarsest first."""

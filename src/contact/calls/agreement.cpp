@@ -1,6 +1,7 @@
 #include "contact/calls/agreement.h"
 
 #include <cmath>
+#include <utility>
 
 #include "core/error.h"
 #include "core/text.h"
@@ -51,7 +52,16 @@ std::vector<Fact> facts_of(const rc_history& path) {
                           {"rc_history.mask", path.mask ? "given" : "none"},
                           {"rc_history.fn", path.fn ? "given" : "none"},
                           {"rc_history.want_gap", join(path.want_gap)},
-                          {"rc_history.stiffness", path.stiffness ? "given" : "none"}};
+                          {"rc_history.virgin", join(path.virgin)}};
+  for (const auto& [name, output] : {std::pair{"mean_gap", path.mean_gap},
+                                     {"stiffness", path.stiffness},
+                                     {"load_lower", path.load_lower},
+                                     {"load_upper", path.load_upper},
+                                     {"area_lower", path.area_lower},
+                                     {"area_upper", path.area_upper},
+                                     {"stiffness_lower", path.stiffness_lower},
+                                     {"stiffness_upper", path.stiffness_upper}})
+    facts.push_back({join("rc_history.", name), output ? "given" : "none"});
   for (std::int64_t i = 0; path.targets && i < path.n; ++i)
     facts.push_back({join("rc_history.targets[", i, "]"), exact(path.targets[i])});
   return facts;

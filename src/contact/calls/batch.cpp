@@ -76,8 +76,16 @@ struct Request {
     const std::int64_t at = i * given.steps + k;
     put(given.load, at, numbers.load(system));
     put(given.approach, at, numbers.approach);
-    put(given.contact_area, at, numbers.contact_area(system));
+    put(given.contact_area, at, contact_area(numbers, system));
+    put(given.mean_gap, at, numbers.mean_gap);
+    put(given.energy, at, numbers.energy(system));
     put(given.stiffness, at, numbers.stiffness.value);
+    put(given.load_lower, at, numbers.bounds.load_lower);
+    put(given.load_upper, at, numbers.bounds.load_upper);
+    put(given.area_lower, at, numbers.bounds.area_lower);
+    put(given.area_upper, at, numbers.bounds.area_upper);
+    put(given.stiffness_lower, at, numbers.stiffness.lower);
+    put(given.stiffness_upper, at, numbers.stiffness.upper);
     put(given.certificate, at, numbers.certificate.worst());
     put(given.status, at, numbers.status);
     put(given.iterations, at, numbers.work.iterations);
@@ -86,7 +94,9 @@ struct Request {
   // Steps from `k` on have no answer.
   void write_none(std::int64_t i, std::int64_t k, rc_status status) const {
     for (std::int64_t at = i * given.steps + k; at < (i + 1) * given.steps; ++at) {
-      for (double* const values : {given.load, given.approach, given.contact_area, given.stiffness, given.certificate})
+      for (double* const values : {given.load, given.approach, given.contact_area, given.mean_gap, given.energy, given.stiffness,
+                                   given.load_lower, given.load_upper, given.area_lower, given.area_upper, given.stiffness_lower,
+                                   given.stiffness_upper, given.certificate})
         put(values, at, nan);
       put(given.status, at, status);
       for (std::int64_t* const counts : {given.iterations, given.products}) put(counts, at, std::int64_t{-1});
@@ -198,10 +208,10 @@ class Worker {
   // many: null, or what takes them.
   Worker(std::unique_ptr<Contact> contact, const Request& request, Progress& progress, const ManySolve* many)
       : contact_(std::move(contact)), request_(request), progress_(progress), many_(many) {
-    contact_->on_progress({ask, &progress_, 1});
-    if (!request_.given.fn) return;
-    p_.resize(static_cast<std::size_t>(request_.points));
-    gap_.resize(p_.size());
+    contact_->watcher().progress = {ask, &progress_, 1};
+    const auto points = static_cast<std::size_t>(request_.points);
+    if (request_.given.fn) p_.resize(points);
+    if (request_.given.fn || request_.given.mean_gap) gap_.resize(points);
   }
 
   void work() {
@@ -248,7 +258,7 @@ class Worker {
   }
 
   void follow(std::int64_t i) {
-    contact_->forget();
+    contact_->forget(Forgotten::surface);
     bool within_goal = false;
     for (std::int64_t k = 0; k < request_.given.steps; ++k) {
       if (const rc_status stop = progress_.stopped(); stop != RC_OK) return end(i, k, k, stop, progress_.why_stopped());
@@ -281,8 +291,7 @@ class Worker {
 
   Outputs outputs(std::int64_t i) {
     double* const p = request_.pressures(i);
-    if (!request_.given.fn) return {{p}, {}};
-    return {{p ? p : p_.data()}, {gap_.data()}};
+    return {{p || p_.empty() ? p : p_.data()}, {gap_.empty() ? nullptr : gap_.data()}};
   }
 
   rc_status solve(std::int64_t i, std::int64_t k, const Outputs& outputs, Numbers& numbers) {
@@ -354,8 +363,11 @@ BatchOutcome solve_batch(const rc_system& system, const rc_options& options, con
   rc_options each = options;
   each.set(RC_OPT_THREADS, std::int64_t{1});
   each.set(RC_OPT_TIME_LIMIT, 0.0);
-  if (batch.stiffness && options.integer(RC_OPT_STIFFNESS) == 0) each.set(RC_OPT_STIFFNESS, std::int64_t{1});
-  if (!batch.fn) each.set(RC_OPT_BOUNDS, std::int64_t{0});  // no output shows them
+  const bool stiffness_interval = batch.stiffness_lower || batch.stiffness_upper;
+  const std::int64_t stiffness = stiffness_interval ? 2 : batch.stiffness ? 1 : 0;
+  each.set(RC_OPT_STIFFNESS, std::max(stiffness, options.integer(RC_OPT_STIFFNESS)));
+  const bool intervals = stiffness_interval || batch.load_lower || batch.load_upper || batch.area_lower || batch.area_upper;
+  if (intervals || !batch.fn) each.set(RC_OPT_BOUNDS, std::int64_t{intervals});  // else no output shows them
 
   const auto contact = [&] { return std::make_unique<Contact>(system, each); };
   std::unique_ptr<Contact> first = contact();  // checks the system and the options

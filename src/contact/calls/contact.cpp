@@ -32,9 +32,7 @@ Indentation indentation_of(const rc_state& state, const System& system) {
 
 Contact::Contact(const rc_system& system, const rc_options& options, const Company& company)
     : grid_(system, options, nullptr, company) {
-  grid_.leave_indentations();
   grid_.problem().goal = goal_of(options);
-  grid_.problem().keeps_answers = true;
 }
 
 void Contact::set_options(const rc_options& options) {
@@ -42,11 +40,11 @@ void Contact::set_options(const rc_options& options) {
   grid_.problem().goal = goal_of(options);
 }
 
-std::int64_t Contact::ask_stiffness(std::int64_t wanted) {
-  rc_options& options = grid_.problem().options;
-  const std::int64_t before = options.integer(RC_OPT_STIFFNESS);
-  options.set(RC_OPT_STIFFNESS, wanted);
-  return before;
+void Contact::ask(const Asked& asked) {
+  GridProblem& problem = grid_.problem();
+  problem.options.set(RC_OPT_STIFFNESS, asked.stiffness);
+  problem.options.set(RC_OPT_BOUNDS, asked.bounds);
+  problem.goal.leaves_indentation = asked.leaves_indentation;
 }
 
 Step Contact::begin(const rc_step& given) {
@@ -59,7 +57,7 @@ Step Contact::begin(const rc_step& given) {
 Numbers Contact::solve(const rc_step& step, const Outputs& outputs) {
   OnHost host(grid_.problem(), held_, step, outputs, false);
   const Step begun = begin(host.step);
-  const Cancellation cancellation(*this);
+  const Cancellable cancellable(watcher());
   Numbers numbers = solve_begun(begun, host.outputs);
   host.give(outputs);
   return numbers;
@@ -82,40 +80,32 @@ Numbers Contact::solve_begun(const Step& step, const Outputs& outputs) {
   return *numbers;
 }
 
-Numbers Contact::certify(const rc_step& step, const Outputs& outputs) {
+Numbers Contact::certify(const rc_step& step, const Outputs& outputs, std::optional<double> compression) {
   OnHost host(grid_.problem(), held_, step, outputs, true);
-  Numbers numbers = grid_.certify(host.step, host.outputs);
+  Numbers numbers = grid_.certify(host.step, host.outputs, compression);
   accuracy_ = numbers.accuracy;
   host.give(outputs);
   return numbers;
 }
 
 rc_status Contact::gradient(rc_gradient& gradient) {
-  const Cancellation cancellation(*this);
+  const Cancellable cancellable(watcher());
   const Rest after(grid_.problem());
-  return differentiate(grid_.problem(), grid_.memory(), grid_.outcome(), grid_.monitor(), gradient);
+  return differentiate(grid_.problem(), grid_.memory(), grid_.monitor(), gradient);
 }
 
 rc_status Contact::tangent(rc_tangent& tangent) {
-  const Cancellation cancellation(*this);
+  const Cancellable cancellable(watcher());
   const Rest after(grid_.problem());
-  return differentiate(grid_.problem(), grid_.memory(), grid_.outcome(), grid_.monitor(), tangent);
+  return differentiate(grid_.problem(), grid_.memory(), grid_.monitor(), tangent);
 }
 
-const std::string& Contact::explain() {
-  const StepOutcome& last = grid_.outcome();
-  return explanation_ = last.choice.solver ? explained(problem().options, problem().system, last.choice, last.failed) : "";
-}
-
-void Contact::reset() {
-  grid_.reset();
-  goal_.clear();
-  drop_copies();
-}
-
-void Contact::forget() {
-  grid_.forget();
-  goal_.forget();
+void Contact::forget(Forgotten what) {
+  grid_.forget(what);
+  if (what == Forgotten::grids)
+    goal_.clear();
+  else
+    goal_.forget();
   drop_copies();
 }
 

@@ -37,8 +37,8 @@ class Device {
 };
 
 bool refers_to(const StepSurface& surface, const HostCopies& copies) {
-  const void* const gap = surface.gap().array().data;
-  return (gap && gap == copies.gap.get()) || (surface.mask() && static_cast<const void*>(surface.mask()) == copies.mask.get());
+  const void *const gap = surface.gap().array().data, *const mask = surface.mask().data();
+  return (gap && gap == copies.gap.get()) || (mask && mask == copies.mask.get());
 }
 
 template <class... Arrays> bool any_on_device(const Arrays&... arrays) { return (... || (arrays.memory != nullptr)); }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,8 +41,16 @@ template <class Number> void put(Number* to, std::int64_t i, Number value) {
 void write_outputs(const rc_history& history, std::int64_t i, const Numbers& numbers, const System& system) {
   put(history.load, i, numbers.load(system));
   put(history.approach, i, numbers.approach);
-  put(history.contact_area, i, numbers.contact_area(system));
+  put(history.contact_area, i, contact_area(numbers, system));
+  put(history.mean_gap, i, numbers.mean_gap);
+  put(history.energy, i, numbers.energy(system));
   put(history.stiffness, i, numbers.stiffness.value);
+  put(history.load_lower, i, numbers.bounds.load_lower);
+  put(history.load_upper, i, numbers.bounds.load_upper);
+  put(history.area_lower, i, numbers.bounds.area_lower);
+  put(history.area_upper, i, numbers.bounds.area_upper);
+  put(history.stiffness_lower, i, numbers.stiffness.lower);
+  put(history.stiffness_upper, i, numbers.stiffness.upper);
   put(history.certificate, i, numbers.certificate.worst());
   put(history.products, i, numbers.work.products);
 }
@@ -52,35 +59,50 @@ std::string where(const rc_history& history, std::int64_t i) {
   return join("step ", i, ", targets[", i, "] = ", history.targets[i]);
 }
 
-// While it lives, every step computes the stiffness, whatever the option says.
-class StiffnessAsked {
+// While it lives, each step is asked for what the history wants.
+class Asking {
  public:
-  explicit StiffnessAsked(Contact& contact) : contact_(contact), before_(contact.ask_stiffness(1)) {
-    if (before_ > 1) contact.ask_stiffness(before_);
+  Asking(Contact& contact, const HistoryWants& wants) : contact_(contact), before_(asked(contact.problem())) {
+    contact.ask({std::max(before_.stiffness, wants.stiffness), std::max(before_.bounds, wants.bounds), !wants.virgin});
   }
-  ~StiffnessAsked() { contact_.ask_stiffness(before_); }
-  StiffnessAsked(const StiffnessAsked&) = delete;
-  StiffnessAsked& operator=(const StiffnessAsked&) = delete;
+  ~Asking() { contact_.ask(before_); }
+  Asking(const Asking&) = delete;
+  Asking& operator=(const Asking&) = delete;
 
  private:
+  static Asked asked(const GridProblem& problem) {
+    return {problem.options.integer(RC_OPT_STIFFNESS), problem.options.integer(RC_OPT_BOUNDS), problem.goal.leaves_indentation};
+  }
+
   Contact& contact_;
-  const std::int64_t before_;
+  const Asked before_;
 };
 
 }  // namespace
 
-rc_status solve_history(Contact& contact, const rc_history& history, std::int64_t& completed) {
+HistoryWants wants_of(const rc_history& history) {
+  const bool stiffness_interval = history.stiffness_lower || history.stiffness_upper;
+  HistoryWants wants;
+  wants.virgin = history.virgin != 0;
+  wants.shown_gap = history.fn && history.want_gap != 0;
+  wants.gap = wants.shown_gap || history.mean_gap;
+  wants.stiffness = stiffness_interval ? 2 : history.stiffness ? 1 : 0;
+  wants.bounds = stiffness_interval || history.load_lower || history.load_upper || history.area_lower || history.area_upper;
+  return wants;
+}
+
+rc_status solve_history(Contact& contact, const rc_history& history, const HistoryWants& wants, std::int64_t& completed) {
   check_history(history);
   if (history.n == 0) return RC_OK;
   // A cancellation between two steps must reach the next one, so it is cleared only when the history ends.
-  const Contact::Cancellation cancellation(contact);
-  std::optional<StiffnessAsked> stiffness;
-  if (history.stiffness) stiffness.emplace(contact);
+  const Cancellable cancellable(contact.watcher());
+  const Asking asking(contact, wants);
 
   std::vector<double> p, gap;
   contact.problem().company().on_all([&] {
-    p.resize(history.fn ? static_cast<std::size_t>(contact.problem().own_points()) : 0);
-    gap.resize(history.want_gap != 0 ? p.size() : 0);
+    const auto points = static_cast<std::size_t>(contact.problem().own_points());
+    p.resize(history.fn ? points : 0);
+    gap.resize(wants.gap ? points : 0);
   });
   std::string within_goal;  // what the last step said that was within its goal
   for (std::int64_t i = 0; i < history.n; ++i) {
@@ -91,7 +113,7 @@ rc_status solve_history(Contact& contact, const rc_history& history, std::int64_
       const Step begun = contact.begin(step);
       clear_message();
       numbers.status = RC_STOP_CANCELLED;
-      if (!cancellation.requested()) numbers = contact.solve_begun(begun, outputs);
+      if (!cancellable.cancelled()) numbers = contact.solve_begun(begun, outputs);
     } catch (const Error& error) {
       fail(error.code(), where(history, i), ": ", error.what());
     }
@@ -104,7 +126,7 @@ rc_status solve_history(Contact& contact, const rc_history& history, std::int64_
     write_outputs(history, i, numbers, contact.problem().system);
     completed = i + 1;
     if (!history.fn) continue;
-    rc_result result = result_with(outputs);
+    rc_result result = result_with({outputs.p, wants.shown_gap ? outputs.gap : OutputArray()});
     write(numbers, contact.problem().system, result);
     if (history.fn(i, &result, history.user) != 0) {
       set_message(where(history, i).c_str(), "rc_history.fn ended the history after this step");

@@ -7,7 +7,15 @@
 
 namespace rc {
 
+// What a history asks of every step; the same in all ranks.
+struct HistoryWants {
+  bool virgin = false;
+  bool shown_gap = false, gap = false;     // the caller's function sees it; it is computed at all points
+  std::int64_t stiffness = 0, bounds = 0;  // the least values of these options
+};
+HistoryWants wants_of(const rc_history& history);
+
 // `completed` counts the steps whose outputs are written. Throws Error with the step's number.
-rc_status solve_history(Contact& contact, const rc_history& history, std::int64_t& completed);
+rc_status solve_history(Contact& contact, const rc_history& history, const HistoryWants& wants, std::int64_t& completed);
 
 }  // namespace rc

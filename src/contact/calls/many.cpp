@@ -20,8 +20,9 @@ constexpr std::int64_t least_together = std::int64_t{1} << 22, most_together = s
 // What answers of many have no place for.
 bool asks_for_more(const GridProblem& problem, const rc_batch& batch) {
   const rc_options& options = problem.options;
-  return batch.fn || batch.stiffness || options.integer(RC_OPT_STIFFNESS) != 0 || problem.goal.error > 0 ||
-         !options.text(RC_OPT_CERTIFY_BACKEND).empty() || options.text(RC_OPT_WARMUP) != "none";
+  return batch.fn || batch.mean_gap || batch.energy || options.integer(RC_OPT_STIFFNESS) != 0 ||
+         options.integer(RC_OPT_BOUNDS) != 0 || problem.goal.error > 0 || !options.text(RC_OPT_CERTIFY_BACKEND).empty() ||
+         options.text(RC_OPT_WARMUP) != "none";
 }
 
 }  // namespace
@@ -44,7 +45,7 @@ std::optional<ManySolve> ManySolve::of(const GridProblem& problem, const rc_batc
     return std::nullopt;  // each contact says what is missing
   }
   if (!many.solver_->solve_many) return std::nullopt;
-  many.grid_ = problem.grid();
+  many.grid_ = grid_of(problem);
   many.grid_.mask = nullptr;
   Request question = many.request(0, 0);
   const rc_status status = many.solver_->solve_many(&problem.host, &question, &problem.options);
@@ -75,14 +76,14 @@ ManySolve::Request ManySolve::request(std::int64_t first, std::int64_t n) const 
   request.p0 = batch_.p0 ? batch_.p0 + first * system.points() : nullptr;
   request.length_per_pressure = system.length_per_pressure;
   request.hardness = system.hardness;
-  request.least_deflection = system.least_deflection * system.length_per_pressure;
+  request.least_deflection = system.bounds.least_deflection * system.length_per_pressure;
   request.tol = problem_.options.real(RC_OPT_TOL);
   request.max_iterations = problem_.options.integer(RC_OPT_MAX_ITER);
   request.problem = &problem_;
   request.coefficients = [](const rc_many* many, std::int64_t mx, std::int64_t my, double* out) {
     const System& of = static_cast<const Request*>(many)->problem->system;
     const Host& host = static_cast<const Request*>(many)->problem->host;
-    return host.coefficients(&host, &of.unit, of.kernel.c_str(), mx, my, out);
+    return host.coefficients(&host, &of.unit, of.kernel.name.c_str(), mx, my, out);
   };
   return request;
 }

@@ -131,7 +131,7 @@ class Check {
 
   // All steps, because each leaves an indentation to the next where there is a hardness.
   void compute_anew(std::int64_t i) {
-    contact_.forget();
+    contact_.forget(Forgotten::surface);
     for (std::int64_t k = 0; k < batch_.steps; ++k) {
       const rc_many_answer& told = answer(i, k);
       rc_step step = RC_STEP_INIT;
@@ -144,7 +144,7 @@ class Check {
       }
       Numbers found;
       try {
-        found = contact_.retrace(step, told.compression, {{pressures(i, k).data()}, {}});
+        found = contact_.certify(step, {{pressures(i, k).data()}, {}}, told.compression);
       } catch (const Error& error) {
         refuse(i, k, error.what());
       }

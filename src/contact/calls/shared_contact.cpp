@@ -81,9 +81,12 @@ rc_const_array SharedContact::gathered(const rc_const_array& mine, std::size_t n
   return {all.data(), mine.type, 0, nullptr};
 }
 
-Numbers SharedContact::run_alike(const rc_step& step, const Outputs& outputs, Action action) {
+Numbers SharedContact::run_here(const rc_step& step, const Outputs& outputs, bool judged) {
+  return judged ? contact_->certify(step, outputs) : contact_->solve(step, outputs);
+}
+
+Numbers SharedContact::run_alike(const rc_step& step, const Outputs& outputs, bool judged) {
   std::vector<std::byte> gap, mask, p0, p, deformed;
-  const bool judged = action == &Contact::certify;
   rc_step whole = step;
   whole.borrow = 0;
   whole.undeformed_gap = gathered(step.undeformed_gap, sizeof(double), gap);
@@ -103,7 +106,7 @@ Numbers SharedContact::run_alike(const rc_step& step, const Outputs& outputs, Ac
       return OutputArray(all);
     };
     const Outputs all{room(outputs.p.array, p), room(outputs.gap.array, deformed)};
-    numbers = (*contact_.*action)(whole, all);
+    numbers = run_here(whole, all, judged);
   });
   const std::string message = last_message();
   const auto rows = [&](const rc_array& to, const std::vector<std::byte>& of) {
@@ -118,13 +121,13 @@ Numbers SharedContact::run_alike(const rc_step& step, const Outputs& outputs, Ac
   return numbers;
 }
 
-Numbers SharedContact::run(const rc_step& step, const Outputs& outputs, Action action) {
+Numbers SharedContact::run(const rc_step& step, const Outputs& outputs, bool judged) {
   check_agreement(ranks_, facts_of(step, outputs), ranks_.rows() > 0);
   const Given given = ranks_.of_each(given_by(step, outputs)).front();
   rc_step asked = step;
   Outputs to = outputs;
   if (ranks_.rows() == 0) stand_in_for(given, asked, to);
-  return alike_ ? run_alike(asked, to, action) : (*contact_.*action)(asked, to);
+  return alike_ ? run_alike(asked, to, judged) : run_here(asked, to, judged);
 }
 
 rc_status SharedContact::run(const rc_history& path, std::int64_t& completed) {
@@ -132,11 +135,10 @@ rc_status SharedContact::run(const rc_history& path, std::int64_t& completed) {
   check_agreement(ranks_, facts_of(today), ranks_.rows() > 0);
   const std::vector<char> has_mask = ranks_.of_each(static_cast<char>(today.mask != nullptr)),
                           has_gap = ranks_.of_each(static_cast<char>(today.undeformed_gap != nullptr));
-  const std::int32_t want_gap = ranks_.of_each(today.want_gap).front();
+  const HistoryWants wants = ranks_.of_each(wants_of(today)).front();
   if (ranks_.rows() == 0) {
     today.undeformed_gap = has_gap.front() != 0 ? &stand_in : nullptr;
     today.mask = has_mask.front() != 0 ? reinterpret_cast<const std::uint8_t*>(&stand_in) : nullptr;
-    today.want_gap = want_gap;
   }
   // The caller's function sees this rank's rows; one that ends the path ends it everywhere.
   struct Told {
@@ -165,7 +167,7 @@ rc_status SharedContact::run(const rc_history& path, std::int64_t& completed) {
     whole(inner.undeformed_gap, gap);
     whole(inner.mask, mask);
   }
-  return rc::solve_history(*contact_, inner, completed);
+  return rc::solve_history(*contact_, inner, wants, completed);
 }
 
 }  // namespace rc

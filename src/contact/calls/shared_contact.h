@@ -25,23 +25,23 @@ class SharedContact {
   const Ranks& ranks() const { return ranks_; }
   const System& system() const { return contact_->problem().system; }
   Numbers solve(const rc_step& step, const Outputs& outputs) {
-    return together([&] { return run(step, outputs, &Contact::solve); });
+    return together([&] { return run(step, outputs, false); });
   }
   Numbers certify(const rc_step& step, const Outputs& outputs) {
-    return together([&] { return run(step, outputs, &Contact::certify); });
+    return together([&] { return run(step, outputs, true); });
   }
   rc_status solve_history(const rc_history& path, std::int64_t& completed) {
     return together([&] { return run(path, completed); });
   }
 
  private:
-  using Action = Numbers (Contact::*)(const rc_step&, const Outputs&);
-
   std::int64_t columns() const { return contact_->problem().system.given.nx; }
   std::size_t own_points() const { return static_cast<std::size_t>(ranks_.rows() * columns()); }
-  Numbers run(const rc_step& step, const Outputs& outputs, Action action);
+  // judged: the pressures are given.
+  Numbers run(const rc_step& step, const Outputs& outputs, bool judged);
   rc_status run(const rc_history& path, std::int64_t& completed);
-  Numbers run_alike(const rc_step& step, const Outputs& outputs, Action action);
+  Numbers run_alike(const rc_step& step, const Outputs& outputs, bool judged);
+  Numbers run_here(const rc_step& step, const Outputs& outputs, bool judged);
   // The rows of all ranks, in `all`. native: bytes of a value of RC_NATIVE.
   rc_const_array gathered(const rc_const_array& mine, std::size_t native, std::vector<std::byte>& all) const;
 

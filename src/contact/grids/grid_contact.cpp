@@ -1,5 +1,6 @@
 #include "contact/grids/grid_contact.h"
 
+#include <algorithm>
 #include <cmath>
 #include <new>
 #include <utility>
@@ -13,24 +14,21 @@ namespace rc {
 
 namespace {
 
-const Monitor& monitor_of(void* user) { return *static_cast<const Monitor*>(user); }
-
-std::int32_t ask(const rc_progress*, void* monitor) { return monitor_of(monitor).ask() != RC_OK; }
-
-std::int32_t pass_on(const rc_progress* progress, void* monitor) {
-  return monitor_of(monitor).ask() != RC_OK || monitor_of(monitor).report(*progress) != 0;
-}
-
 // A surface, and the indentation that is in its gap.
 struct IndentedSurface {
   StepSurface surface;
   Indentation indentation;
 };
 
+double longer_side(const rc_system& system) {
+  return std::max(system.hx * static_cast<double>(system.nx), system.hy * static_cast<double>(system.ny));
+}
+
 StepSurface surface_with(const Indentation& indentation, std::span<const std::uint8_t> mask, const GridProblem& problem) {
   const rc_system& system = problem.system.given;
   const std::vector<double> gap = indentation.indented();
-  return StepSurface({system.nx, problem.own_rows(), gap, mask, false}, problem.team(), problem.company());
+  return StepSurface({system.nx, problem.company().own_rows(system.ny), gap, mask, false, longer_side(system)}, problem.team(),
+                     problem.company());
 }
 
 // The surface that this step describes; nothing where it keeps that of the step before.
@@ -48,19 +46,30 @@ std::optional<IndentedSurface> given_surface(const rc_step& step, const GridProb
     return given;
   }
   const rc_system& system = problem.system.given;
-  const GivenSurface given{system.nx, problem.own_rows(), gap, mask, given_anew && step.borrow != 0};
+  const bool borrowed = given_anew && step.borrow != 0;
+  const GivenSurface given{system.nx, problem.company().own_rows(system.ny), gap, mask, borrowed, longer_side(system)};
   return IndentedSurface{StepSurface(given, problem.team(), problem.company()), {}};
+}
+
+void check_pressures(const rc_step& step, const Outputs& outputs, const GridProblem& problem) {
+  if (!outputs.p.wanted()) fail(RC_ERR_ARGUMENT, "rc_result.p.data is null: the pressures to certify are expected there");
+  const StepSurface& last = problem.surface;
+  problem.company().on_all([&] {
+    for (std::int64_t k = 0; k < problem.own_points(); ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      const double p = outputs.p.at(i);
+      if (!std::isfinite(p)) fail(RC_ERR_ARGUMENT, "rc_result.p[", i, "] = ", p, " is not finite");
+      if (p != 0 && (step.mask.data ? mask_of(step)[i] == 0 : !step.undeformed_gap.data && !last.empty() && !last.included(i)))
+        fail(RC_ERR_ARGUMENT, "rc_result.p[", i, "] = ", p, " but this point is excluded by the mask");
+    }
+  });
 }
 
 }  // namespace
 
-void GridContact::watched_by(const Monitor& monitor, bool report) {
-  progress_ = {report ? pass_on : ask, const_cast<Monitor*>(&monitor), 1};
-}
-
 Monitor GridContact::monitor() const {
-  return {cancelled_, progress_, problem_.options.real(RC_OPT_TIME_LIMIT), problem_.options.integer(RC_OPT_MAX_ITER),
-          problem_.operators().spent()};
+  return {watcher_.cancelled, watcher_.progress, problem_.options.real(RC_OPT_TIME_LIMIT),
+          problem_.options.integer(RC_OPT_MAX_ITER), problem_.operators().spent()};
 }
 
 // Puts what the last step has left into the surface, which counts as the same.
@@ -68,18 +77,9 @@ void GridContact::indent() {
   if (!problem_.company().any(!overlap_.empty())) return;
   Indentation next;
   problem_.company().on_all([&] { next = indentation_.with(overlap_, problem_.surface.gap()); });
-  problem_.surface = surface_with(next, problem_.surface.masks(), problem_);
-  fill_masked();
+  problem_.surface = surface_with(next, problem_.surface.mask(), problem_);
   indentation_ = std::move(next);
   overlap_ = {};
-}
-
-// Masked points stay unknowns if all points do.
-void GridContact::fill_masked() {
-  if (!problem_.company().keeps_all_points()) return;
-  const rc_system& s = problem_.system.given;
-  const double side = std::max(s.hx * static_cast<double>(s.nx), s.hy * static_cast<double>(s.ny));
-  problem_.company().on_all([&] { problem_.surface.fill_masked(side); });
 }
 
 void GridContact::write_indentation(std::span<double> to) const {
@@ -100,7 +100,7 @@ Step GridContact::begin(const rc_step& given_step) {
   memory_.indented = !indentation_.none();
   if (problem_.options.integer(RC_OPT_RESUMABLE) != 0) forget_operators();
   grids_.begin_step();
-  outcome_ = {};
+  memory_.outcome = {};
   return step;
 }
 
@@ -108,54 +108,30 @@ Numbers GridContact::solve_begun(const Step& step, Monitor& monitor, const Outpu
                                  const std::optional<Estimate>& nearer) {
   const Rest after(problem_);
   auto [finished, outcome] = solve_step(problem_, memory_, step, monitor, outputs, nearer);
-  outcome_ = std::move(outcome);
+  memory_.outcome = std::move(outcome);
   Numbers numbers = finished.numbers;
   if (numbers.status == RC_OK) {
-    remember(std::move(finished), Choice(outcome_.choice));
-    outcome_.certified = step.target.control;
-    outcome_.undecided = numbers.bounds.undecided;
+    remember(std::move(finished), Choice(memory_.outcome.choice));
+    memory_.outcome.certified = step.target.control;
+    memory_.outcome.undecided = numbers.bounds.undecided;
   }
   numbers.work.levels = grids_.current();
   return numbers;
 }
 
-Numbers GridContact::solve(const rc_step& step, const Outputs& outputs) {
+Numbers GridContact::certify(const rc_step& step, const Outputs& outputs, std::optional<double> compression) {
+  if (!compression) check_pressures(step, outputs, problem_);
   const Step begun = begin(step);
-  Monitor watch = monitor();
-  return solve_begun(begun, watch, outputs);
-}
-
-Numbers GridContact::certify(const rc_step& step, const Outputs& outputs) {
-  if (!outputs.p.wanted()) fail(RC_ERR_ARGUMENT, "rc_result.p.data is null: the pressures to certify are expected there");
-  const StepSurface& last = problem_.surface;
-  problem_.company().on_all([&] {
-    for (std::int64_t k = 0; k < problem_.own_points(); ++k) {
-      const auto i = static_cast<std::size_t>(k);
-      const double p = outputs.p.at(i);
-      if (!std::isfinite(p)) fail(RC_ERR_ARGUMENT, "rc_result.p[", i, "] = ", p, " is not finite");
-      if (p != 0 && (step.mask.data ? mask_of(step)[i] == 0 : !step.undeformed_gap.data && !last.empty() && !last.included(i)))
-        fail(RC_ERR_ARGUMENT, "rc_result.p[", i, "] = ", p, " but this point is excluded by the mask");
-    }
-  });
-  return certified(step, outputs, std::nullopt).numbers;
-}
-
-Numbers GridContact::retrace(const rc_step& step, double compression, const Outputs& outputs) {
-  Finished finished = certified(step, outputs, compression);
-  if (leaves_indentation_) overlap_ = std::move(finished.overlap);
+  const Rest after(problem_);
+  Monitor once(watcher_.cancelled, {}, 0, 1, problem_.operators().spent());
+  Attempt attempt{once};
+  Finished finished = certify_given(problem_, begun, attempt, outputs, compression);
+  if (compression && problem_.goal.leaves_indentation) overlap_ = std::move(finished.overlap);
   return std::move(finished.numbers);
 }
 
-Finished GridContact::certified(const rc_step& step, const Outputs& outputs, std::optional<double> compression) {
-  const Step begun = begin(step);
-  const Rest after(problem_);
-  Monitor monitor(cancelled_, {}, 0, 1, problem_.operators().spent());
-  Attempt attempt{monitor};
-  return certify_given(problem_, begun, attempt, outputs, compression);
-}
-
 void GridContact::remember(Finished&& finished, const Choice& by) {
-  outcome_.choice = by;
+  memory_.outcome.choice = by;
   Pressures kept;
   try {
     kept = finished.pressures.positive(problem_.team());  // points without pressure would take most of the memory
@@ -165,48 +141,37 @@ void GridContact::remember(Finished&& finished, const Choice& by) {
   if (kept.empty()) kept = std::move(finished.pressures);
   const Numbers& numbers = finished.numbers;
   memory_.record({std::move(kept), numbers.approach, numbers.load(problem_.system), true, std::move(finished.kept)});
-  if (leaves_indentation_) overlap_ = std::move(finished.overlap);
+  if (problem_.goal.leaves_indentation) overlap_ = std::move(finished.overlap);
 }
 
 void GridContact::adopt(StepSurface&& given) {
-  const bool same = !problem_.company().any(problem_.surface.empty() || !given.equals(problem_.surface, problem_.team()));
+  const bool same = !problem_.company().any(problem_.surface.empty() || !same_surface(given, problem_.surface, problem_.team()));
   memory_.surface_is(same);
-  if (!same) {
-    problem_.facts.tilt.reset();
-    ++surfaces_;
-  }
+  if (!same) problem_.facts.tilt.reset();
   problem_.surface = std::move(given);
-  fill_masked();
 }
 
-void GridContact::reset() {
-  forget_surface();
-  grids_.clear();
-  problem_.operators().forget();
-}
-
-void GridContact::forget_surface() {
-  problem_.surface.clear();
-  outcome_.certified = 0;
-  memory_ = {};
-  indentation_ = {};
-  overlap_ = {};
-}
-
+// The operators of coarser grids forget, too.
 void GridContact::forget_operators() {
   problem_.operators().forget();
   grids_.forget();
 }
 
-void GridContact::forget() {
+void GridContact::forget(Forgotten what) {
   forget_operators();
-  forget_surface();
+  memory_.forget();
+  if (what == Forgotten::steps) return;
+  problem_.surface = {};
+  indentation_ = {};
+  overlap_ = {};
+  if (what == Forgotten::grids) grids_.clear();
 }
 
 void GridContact::restore(Memory&& memory, StepSurface&& surface, Indentation&& indentation) {
-  forget();
+  forget(Forgotten::surface);
   adopt(std::move(surface));
-  memory_ = std::move(memory);
+  memory_.last = std::move(memory.last);
+  memory_.before = std::move(memory.before);
   indentation_ = std::move(indentation);
 }
 

@@ -27,6 +27,12 @@ rc_step coarse_step(const rc_coarse& request, std::int32_t warm, const double* g
   return step;
 }
 
+Numbers solved(GridContact& contact, const rc_step& step, const Outputs& outputs) {
+  const Step begun = contact.begin(step);
+  Monitor monitor = contact.monitor();
+  return contact.solve_begun(begun, monitor, outputs);
+}
+
 }  // namespace
 
 std::unique_ptr<CoarseGrids> SolverGrids::another() const { return std::make_unique<SolverGrids>(); }
@@ -45,11 +51,11 @@ rc_status SolverGrids::solve(rc_coarse& request, const GridProblem& problem, con
     level.contact->problem().set_options(options);
   else
     level.contact = std::make_unique<GridContact>(system, options, &problem.team(), problem.company());
-  level.contact->watched_by(monitor, false);
+  level.contact->watcher().progress = stopped_by(monitor);
 
   level.current = false;
   const rc_step step = coarse_step(request, attempt.warm, request.undeformed_gap, request.mask);
-  const Numbers found = level.contact->solve(step, {{request.p}, {}});
+  const Numbers found = solved(*level.contact, step, {{request.p}, {}});
   const rc_status status = found.status;
   if (const rc_status stop = problem.company().stop().value_or(monitor.ask()); stop != RC_OK) return stop;
   request.approach = found.approach;
@@ -82,7 +88,7 @@ rc_status SolverGrids::solve_shared(rc_coarse& request, const GridProblem& probl
   });
   Numbers found;
   if (!alike) {
-    found = level.contact->solve(coarse_step(request, warm, request.undeformed_gap, request.mask), {{request.p}, {}});
+    found = solved(*level.contact, coarse_step(request, warm, request.undeformed_gap, request.mask), {{request.p}, {}});
   } else {
     const auto points = static_cast<std::size_t>(system.nx * system.ny);
     std::vector<double> gap, p;
@@ -96,7 +102,7 @@ rc_status SolverGrids::solve_shared(rc_coarse& request, const GridProblem& probl
     half.gather_rows(request.undeformed_gap, system.nx, gap.data());
     if (masked) half.gather_rows(request.mask, system.nx, mask.data());
     try {
-      found = level.contact->solve(coarse_step(request, warm, gap.data(), masked ? mask.data() : nullptr), {{p.data()}, {}});
+      found = solved(*level.contact, coarse_step(request, warm, gap.data(), masked ? mask.data() : nullptr), {{p.data()}, {}});
     } catch (const Error& error) {
       if (error.code() == RC_ERR_MEMORY) throw;
       found.status = error.code();  // that of every process, so the solve goes on without this grid
@@ -136,7 +142,7 @@ void SolverGrids::begin_step() {
 
 void SolverGrids::forget() {
   for (auto& [points, level] : levels_) {
-    if (level.contact) level.contact->forget();
+    if (level.contact) level.contact->forget(Forgotten::surface);
     level.current = false;
   }
 }

@@ -46,6 +46,13 @@ void Memory::record(CertifiedStep&& step) {
 void Memory::surface_is(bool same) {
   last.same_gap = last.same_gap && same;
   before.same_gap = before.same_gap && same;
+  if (!same) ++surfaces;
+}
+
+void Memory::forget() {
+  last = before = {};
+  indented = false;
+  outcome.certified = 0;
 }
 
 double Memory::ahead(const Step& step) const {

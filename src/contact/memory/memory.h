@@ -1,4 +1,4 @@
-// What a contact remembers: its last two certified steps. GridContact alone writes it.
+// A contact remembers its last two certified steps, and how the last step ended. GridContact alone writes it.
 #pragma once
 
 #include <roughcontact/history.h>
@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "contact/attempt.h"
 #include "contact/kept_steps.h"
 #include "contact/surface/pressures.h"
 #include "contact/surface/step_surface.h"
@@ -24,10 +25,14 @@ struct CertifiedStep {
 struct Memory {
   CertifiedStep last, before;  // the last certified step, and the one before it
   bool indented = false;       // the surface has a plastic indentation, of these steps or earlier ones
+  StepOutcome outcome = {};    // of the last step
+  std::int64_t surfaces = 0;   // counts the changes of the surface
 
   void record(CertifiedStep&& step);
   // A step has given a surface. same: it equals that of the step before.
   void surface_is(bool same);
+  // Drops the certified steps.
+  void forget();
 
   // How far beyond the last step the new target lies, in units of the last step's change; 0 where no extrapolation is possible.
   double ahead(const Step& step) const;

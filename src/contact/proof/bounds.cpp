@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "contact/surface/points_below.h"
 #include "core/limits.h"
 
 namespace rc {
@@ -45,12 +46,12 @@ class Proof {
         spectrum_(spectrum),
         surface_(surface),
         compression_(compression),
-        rounding_(surface.included_points() > 0 ? rounding_of(surface.lowest(), compression) : 0),
+        rounding_(surface.range().included > 0 ? rounding_of(surface.lowest(), compression) : 0),
         answer_(answer),
         found_(found),
         given_(answer.p()),
         product_(answer.product) {
-    candidates_ = surface_.extent_below(system_.positive ? surface_.limit_of(compression_) : infinity);
+    candidates_ = extent_below(system_.positive ? surface_.range().limit_of(compression_) : infinity, surface_);
     measure();
     residual();
   }
@@ -76,7 +77,7 @@ class Proof {
 
  private:
   double n() const { return static_cast<double>(system_.points()); }
-  bool all_listed() const { return static_cast<std::int64_t>(given_.size()) == surface_.points(); }
+  bool all_listed() const { return static_cast<std::int64_t>(given_.size()) == surface_.points().count(); }
   static double rounding_of(double lowest, double compression) { return std::abs(lowest + compression - lowest - compression); }
   static double points_of(const Extent& support) { return static_cast<double>(support.n); }
 
@@ -99,8 +100,8 @@ class Proof {
   void measure() {
     const double largest_product = found_.largest_product;
     double largest_w = found_.largest_gap;
-    if (!all_listed()) largest_w = std::max(largest_w, largest_product + std::abs(surface_.range() - compression_));
-    const bool none = surface_.included_points() == 0;
+    if (!all_listed()) largest_w = std::max(largest_w, largest_product + std::abs(surface_.range().width() - compression_));
+    const bool none = surface_.range().included == 0;
     const double depth = none ? 0 : std::max(0.0, compression_ + rounding_);
     if (depth + largest_product > 0) length_ = depth + largest_product;
     depth_ = depth / length_;
@@ -115,9 +116,9 @@ class Proof {
     negative_ = sizes.negative;
     const double p_square = sizes.p_square;
     sum_ = static_cast<double>(sizes.sum);
-    const double largest_u = none ? 0 : std::max(depth, surface_.range() - compression_) / length_;
+    const double largest_u = none ? 0 : std::max(depth, surface_.range().width() - compression_) / length_;
     double size = largest_product / length_ + largest_u + std::sqrt(p_square) + negative_;
-    if (system_.periodic()) size += system_.lambda_most * sum_ / n();  // load control shifts the datum of H by this much
+    if (system_.periodic()) size += system_.bounds.lambda_most * sum_ / n();  // load control shifts the datum of H by this much
     doubt_ = product_error * epsilon * std::log2(n() + 1) * size + rounding_ / length_ + spectrum_.diagonal * negative_;
   }
 
@@ -148,7 +149,7 @@ class Proof {
 
   // Sums over the points that touch, in their order; piece by piece if processes share the rows.
   template <class Part, class Add> Part sum_of_touching(const Add& add) const {
-    return surface_.sum_over<Part>(std::span<const std::size_t>(found_.touching), add);
+    return surface_.points().sum_over<Part>(std::span<const std::size_t>(found_.touching), add);
   }
   struct Sizes {
     double negative = 0, p_square = 0;
@@ -170,10 +171,10 @@ class Proof {
   Extent undecided_pressures() {
     const double reach = open_beyond();
     if (!(reach < (all_listed() ? infinity : answer_.beyond)))  // any candidate
-      return candidates_ + surface_.combined_over<Extent>(found_.touching, [&](Extent& support, std::size_t i) {
+      return candidates_ + surface_.points().combined_over<Extent>(found_.touching, [&](Extent& support, std::size_t i) {
         if (given_[i] > 0 && !may_carry(i)) add(support, i);
       });
-    return surface_.combined_over<Extent>(near(reach), [&](Extent& support, std::size_t i) {
+    return surface_.points().combined_over<Extent>(near(reach), [&](Extent& support, std::size_t i) {
       if (undecided(i, reach)) add(support, i);
     });
   }
@@ -183,7 +184,7 @@ class Proof {
     if (near_) return *near_;
     const auto size = static_cast<std::int64_t>(given_.size());
     Marks marks(size);
-    each_chunk(size, surface_.team(), [&](std::int64_t begin, std::int64_t count) {
+    each_chunk(size, surface_.points().team(), [&](std::int64_t begin, std::int64_t count) {
       mark_near(surface_, answer_.on(), product_, compression_, reach, begin, count, marks);
       const std::vector<std::size_t>& touching = found_.touching;
       auto at = std::lower_bound(touching.begin(), touching.end(), static_cast<std::size_t>(begin));
@@ -199,7 +200,7 @@ class Proof {
   }
   void add(Extent& support, std::size_t i) const {
     const auto point = static_cast<std::int64_t>(answer_.point(i));
-    support.add(point % system_.unit.nx, surface_.first_row() + point / system_.unit.nx);
+    support.add(point % system_.unit.nx, surface_.points().company().first_row() + point / system_.unit.nx);
   }
   // Diagonal of the bounding box of the support's cells.
   double diagonal(const Extent& support) const {
@@ -230,10 +231,10 @@ class Proof {
   // Periodic, no mask, d off the mean plane (above it the pressures need a cap): with e = u + eps of mean 0 and H q = e,  eps
   // sum(x) = x'H(q - p) + x'w.
   SumBound sum_bound_below_mean() const {
-    if (!surface_.whole()) return {};
-    const double mean = surface_.mean_height(), square_sum = surface_.height_moments().square;
+    if (!surface_.range().whole) return {};
+    const double mean = surface_.moments().mean, square_sum = surface_.moments().square;
     const double mean_gap = mean - compression_, off = system_.capped() ? std::abs(mean_gap) : mean_gap;
-    const double eps = (off - rounding_ - epsilon * (100 + n() / 512) * surface_.range()) / length_;
+    const double eps = (off - rounding_ - epsilon * (100 + n() / 512) * surface_.range().width()) / length_;
     if (!(eps > 0)) return {};
     const double e_square = square_sum / square(length_);
     const auto [ep, php] = sum_of_touching<Energies>([&](Energies& part, std::size_t i) {
@@ -286,7 +287,7 @@ class Proof {
     const double reach = open_beyond();
     const auto not_open = [&](std::size_t i) { return may_carry(i) && !(distance_to_surface(i) > reach); };
     const auto at_cap = [&](std::size_t i) { return distance_to_surface(i) < -reach; };
-    auto [contacts, capped, undecided] = surface_.combined_over<Counts>(near(reach), [&](Counts& part, std::size_t i) {
+    auto [contacts, capped, undecided] = surface_.points().combined_over<Counts>(near(reach), [&](Counts& part, std::size_t i) {
       if (!not_open(i)) return;
       part.capped += at_cap(i);
       ++(p(i) > margin || at_cap(i) ? part.contacts : part.undecided);
@@ -299,7 +300,7 @@ class Proof {
     if (!all_listed() && !(reach < answer_.beyond)) {
       undecided += candidates_.n;
       for (std::size_t i = 0; i < given_.size(); ++i) undecided -= may_carry(i);
-      if (sets && system_.positive) list(surface_.below(surface_.limit_of(compression_)), sets->possible);
+      if (sets && system_.positive) list(points_below(surface_.range().limit_of(compression_), surface_), sets->possible);
       if (sets) sets->listed = system_.positive;
     }
     result.proven_contacts = contacts;

@@ -31,19 +31,20 @@ bool Certificate::within(double tol) const { return primal <= tol && dual <= tol
 Certificate certify(const StepSurface& surface, double compression, const Deflected& answer, const Survey& found, double scale,
                     double hardness) {
   const std::span<const double> p = answer.p();
-  const Ends ends = surface.combined_over<Ends>(found.touching, [&](Ends& part, std::size_t k) {
+  const Ends ends = surface.points().combined_over<Ends>(found.touching, [&](Ends& part, std::size_t k) {
     part.largest = std::max(part.largest, std::abs(p[k]));
     part.least = std::min(part.least, p[k]);
   });
   const double largest_p = ends.largest, least_p = ends.least;
-  const auto [overlap, worst, finite] = surface.combined_over<Violations>(found.touching, [&](Violations& part, std::size_t k) {
-    const std::size_t i = answer.point(k);
-    if (!surface.included(i)) return;
-    const double gap = deformed_gap(answer.product[k], compression, surface.height(i));
-    part.finite = part.finite && std::isfinite(p[k]) && std::isfinite(gap);
-    part.overlap = std::max(part.overlap, dual_violation(gap, p[k], hardness, scale));
-    part.worst = std::max(part.worst, complementarity_violation(gap, p[k], largest_p, hardness, scale));
-  });
+  const auto [overlap, worst, finite] =
+      surface.points().combined_over<Violations>(found.touching, [&](Violations& part, std::size_t k) {
+        const std::size_t i = answer.point(k);
+        if (!surface.included(i)) return;
+        const double gap = deformed_gap(answer.product[k], compression, surface.height(i));
+        part.finite = part.finite && std::isfinite(p[k]) && std::isfinite(gap);
+        part.overlap = std::max(part.overlap, dual_violation(gap, p[k], hardness, scale));
+        part.worst = std::max(part.worst, complementarity_violation(gap, p[k], largest_p, hardness, scale));
+      });
   if (!finite) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     return {nan, nan, nan, 0};

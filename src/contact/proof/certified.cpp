@@ -9,6 +9,7 @@
 #include "contact/proof/survey.h"
 #include "contact/slopes/punch_stiffness.h"
 #include "contact/spectrum.h"
+#include "contact/surface/points_below.h"
 #include "core/certificate_terms.h"
 #include "core/error.h"
 #include "core/large_memory.h"
@@ -75,7 +76,7 @@ Operator* proving(const GridProblem& problem, const Answer& answer, const std::v
                   const Attempt& attempt) {
   if (answer.op) return &certifying(problem, *answer.op);
   TrialSet trial{static_cast<std::int64_t>(possible.size()), possible};
-  if (problem.surface.united(trial.n) == 0) return nullptr;
+  if (problem.surface.points().company().united(trial.n) == 0) return nullptr;
   trial = all_if_kept(std::move(trial), problem);
   const Choice choice = choose_for(problem, trial, RC_CONTROL_APPROACH, attempt.failed, false);
   return &certifying(problem, problem.operators().bound(*choice.backend, trial));
@@ -98,9 +99,10 @@ void remark_on(const GridProblem& problem, const Answer& answer, Remarks& remark
   if (answer.handed_over || (needs & RC_CAP_SUBSET)) replaced(RC_CAP_SUBSET, "systems on subsets");
   if (needs & RC_CAP_SHIFTED) replaced(RC_CAP_SHIFTED, "shifted systems");
   const System& system = problem.system;
-  if (system.halfspace() && !system.influence->built_in() && (system.periodic() ? system.lambda_wave : system.lambda_min) == 0 &&
+  if (system.halfspace() && !system.kernel.influence->built_in() &&
+      (system.periodic() ? system.bounds.lambda_wave : system.bounds.lambda_min) == 0 &&
       problem.options.integer(RC_OPT_BOUNDS) != 0 && problem.goal.error == 0)
-    remarks.add(join("bounds: kernel \"", system.kernel, "\" promises no lowest eigenvalue"));
+    remarks.add(join("bounds: kernel \"", system.kernel.name, "\" promises no lowest eigenvalue"));
 }
 
 // A caller's matrix or product must be positive definite: p'Hp > 0 for the pressures found.
@@ -140,7 +142,7 @@ Totals totals_of(const GridProblem& problem, const Deflected& answer, const Surv
     }
     part.largest_product = std::max(part.largest_product, std::abs(answer.product[k]));
   };
-  return surface.sum_over<Totals>(std::span<const std::size_t>(found.touching), add);
+  return surface.points().sum_over<Totals>(std::span<const std::size_t>(found.touching), add);
 }
 
 // Answers, message and arrays. rate: the stiffness, if the answer has given its pressures away.
@@ -164,7 +166,7 @@ Numbers finished(const GridProblem& problem, const Step& step, const Answer& ans
 }  // namespace
 
 double mean_gap(const GridProblem& problem, const Survey& everywhere, double overlap) {
-  return (everywhere.sum_of_gaps + overlap) / static_cast<double>(problem.surface.included_points());
+  return (everywhere.sum_of_gaps + overlap) / static_cast<double>(problem.surface.range().included);
 }
 
 Numbers certified_numbers(const GridProblem& problem, const Step& step, const Answer& by, const Deflected& answer,
@@ -172,7 +174,7 @@ Numbers certified_numbers(const GridProblem& problem, const Step& step, const An
   const System& system = problem.system;
   const StepSurface& surface = problem.surface;
   remark_on(problem, by, attempt.remarks);
-  const RimPoints rim(system.given, surface.first_row());
+  const RimPoints rim(system.given, surface.points().company().first_row());
   const Survey found = survey(surface, compression, answer);
   Numbers result;
   const Totals& totals = result.totals = totals_of(problem, answer, found, rim, compression);
@@ -199,9 +201,9 @@ Numbers certified_numbers(const GridProblem& problem, const Step& step, const An
   if (by.choice.backend) copy_text(result.backend, by.choice.backend->name);
   result.modelled = by.op ? by.op->modelled() : 0;
   const bool by_load = step.target.by_load();
-  const double limit = by_load ? surface.limit_of(compression) : step.target.value;
-  result.candidates = system.positive ? surface.extent_below(limit).n : surface.included_points();
-  result.approach = !by_load ? step.target.value : surface.included_points() > 0 ? surface.lowest() + compression : 0;
+  const double limit = by_load ? surface.range().limit_of(compression) : step.target.value;
+  result.candidates = system.positive ? extent_below(limit, surface).n : surface.range().included;
+  result.approach = !by_load ? step.target.value : surface.range().included > 0 ? surface.lowest() + compression : 0;
   if (static_cast<std::int64_t>(answer.size()) == problem.own_points())
     result.mean_gap = mean_gap(problem, found, totals.overlap);
   result.tolerance = problem.options.real(RC_OPT_TOL);
@@ -241,7 +243,7 @@ namespace {
 void take_units(const Answer& answer, const GridProblem& problem, std::vector<double>& product) {
   each_chunk(static_cast<std::int64_t>(product.size()), problem.team(), [&](std::int64_t begin, std::int64_t count) {
     for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(begin + count); ++i)
-      product[i] = product[i] * answer.length_unit - answer.datum_shift;
+      product[i] = product[i] * answer.units.length - answer.datum_shift;
   });
 }
 
@@ -299,7 +301,7 @@ double fitting_compression(const GridProblem& problem, const Deflected& answer) 
     part.sum += p;
     part.moment += p * fits;
   };
-  const auto [sum, moment, least] = problem.surface.sum_over<Part>(
+  const auto [sum, moment, least] = problem.surface.points().sum_over<Part>(
       answer.size(), [](std::size_t k) { return k; }, add);
   return sum > 0 ? moment / sum : least > -infinite ? least : 0;
 }

@@ -27,13 +27,14 @@ std::vector<Sample> samples_of(const StepSurface& surface, std::int64_t nx, std:
   samples.reserve(static_cast<std::size_t>(mx * my));
   for (std::int64_t j = 0; j < my; ++j)
     for (std::int64_t i = 0; i < mx; ++i) {
-      const std::int64_t x = (2 * i + 1) * nx / (2 * mx), row = (2 * j + 1) * ny / (2 * my), y = row - surface.first_row();
+      const std::int64_t x = (2 * i + 1) * nx / (2 * mx), row = (2 * j + 1) * ny / (2 * my),
+                         y = row - surface.points().company().first_row();
       const auto point = static_cast<std::size_t>(y * nx + x);
-      if (y < 0 || y >= surface.points() / nx) continue;  // another process's
+      if (y < 0 || y >= surface.points().count() / nx) continue;  // another process's
       if (surface.included(point))
-        samples.push_back({static_cast<double>(x), static_cast<double>(row), surface.height(point) / surface.range()});
+        samples.push_back({static_cast<double>(x), static_cast<double>(row), surface.height(point) / surface.range().width()});
     }
-  return surface.company().joined(std::move(samples));
+  return surface.points().company().joined(std::move(samples));
 }
 
 // The mean height of the samples at x or y = place.
@@ -62,7 +63,7 @@ std::string text(const char* format, double value) {
 }  // namespace
 
 double plane_share(const StepSurface& surface, std::int64_t nx, std::int64_t ny, bool periodic) {
-  if (!(surface.range() > 0)) return 0;
+  if (!(surface.range().width() > 0)) return 0;
   const std::vector<Sample> samples = samples_of(surface, nx, ny);
   if (samples.size() < least_judged_points) return 0;
   const double n = static_cast<double>(samples.size());

@@ -32,7 +32,7 @@ void write(const Numbers& numbers, const System& system, rc_result& result) {
   result.approach = numbers.approach;
   result.mean_pressure = totals.sum / points;
   result.contact_area = static_cast<double>(totals.contacts) * area;
-  result.energy = totals.energy * area;
+  result.energy = numbers.energy(system);
   result.stiffness = numbers.stiffness.value;
   result.kkt_primal = numbers.certificate.primal;
   result.kkt_dual = numbers.certificate.dual;
@@ -42,7 +42,7 @@ void write(const Numbers& numbers, const System& system, rc_result& result) {
   result.setup_seconds = numbers.work.setup_seconds;
   copy_text(result.solver, numbers.solver);
   copy_text(result.backend, numbers.backend);
-  copy_text(result.kernel, system.kernel.c_str());
+  copy_text(result.kernel, system.kernel.name.c_str());
   copy_text(result.note, numbers.note);
   result.duality_gap = numbers.bounds.duality_gap;
   result.load_lower = numbers.bounds.load_lower;

@@ -51,8 +51,12 @@ struct Numbers {
   rc_accuracy accuracy = RC_ACCURACY_INIT;
 
   double load(const System& system) const { return totals.sum * system.cell_area(); }
-  double contact_area(const System& system) const { return static_cast<double>(totals.contacts) * system.cell_area(); }
+  double energy(const System& system) const { return totals.energy * system.cell_area(); }
 };
+
+inline double contact_area(const Numbers& numbers, const System& system) {
+  return static_cast<double>(numbers.totals.contacts) * system.cell_area();
+}
 
 // Writes all members but the arrays. Nothing else writes any.
 void write(const Numbers& numbers, const System& system, rc_result& result);

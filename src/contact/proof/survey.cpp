@@ -27,7 +27,7 @@ double sum_by_pieces(const StepSurface& surface, double compression, const Defle
     if (surface.included(i)) part.sum_of_gaps += answer.product[k] - (compression - surface.height(i));
   };
   const auto itself = [](std::size_t k) { return k; };
-  return surface.sum_over<Terms>(answer.size(), itself, add).sum_of_gaps;
+  return surface.points().sum_over<Terms>(answer.size(), itself, add).sum_of_gaps;
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ void mark_near(const StepSurface& surface, const TrialSet& on, std::span<const d
   const auto end = static_cast<std::size_t>(begin + count);
   for (auto first = static_cast<std::size_t>(begin); first < end; first += Marks::together) {
     const std::size_t n = std::min(Marks::together, end - first);
-    surface.heights(on, first, n, gap);
+    heights_of(on, surface, first, n, gap);
     for (std::size_t k = 0; k < n; ++k) gap[k] = product[first + k] - (compression - gap[k]);
     const auto apart = [&](std::size_t k) { return (gap[k] > limit) & (gap[k] <= largest_double); };
     double open[lanes] = {};  // how many, counted first: few points are near
@@ -64,7 +64,7 @@ Survey survey(const StepSurface& surface, double compression, const Deflected& a
     for (auto first = static_cast<std::size_t>(begin); first < end; first += Marks::together) {
       const std::size_t n_here = std::min(Marks::together, end - first);
       const double *const product = answer.product.data() + first, *const p = answer.p().data() + first;
-      surface.heights(answer.on(), first, n_here, gap);
+      heights_of(answer.on(), surface, first, n_here, gap);
       for (std::size_t k = 0; k < n_here; ++k) gap[k] = product[k] - (compression - gap[k]);
       // Without branches for each, which would be foreseen wrongly.
       const auto touches = [&](std::size_t k) { return (p[k] != 0) | !((gap[k] >= 0) & (gap[k] <= largest_double)); };
@@ -79,7 +79,7 @@ Survey survey(const StepSurface& surface, double compression, const Deflected& a
       }
       for (; k < n_here; ++k) marked |= static_cast<std::uint64_t>(touches(k)) << k;
       touching.set(first, marked);
-      if (!surface.whole())
+      if (!surface.range().whole)
         for (k = 0; k < n_here; ++k)
           if (!surface.included(answer.point(first + k))) gap[k] = 0;
       const auto larger = [](double& largest, double value) { largest = largest < std::abs(value) ? std::abs(value) : largest; };
@@ -98,9 +98,9 @@ Survey survey(const StepSurface& surface, double compression, const Deflected& a
     return Terms{*std::max_element(product_of, product_of + lanes), *std::max_element(gap_of, gap_of + lanes),
                  std::accumulate(sum, sum + lanes, 0.0)};
   };
-  const Terms mine = reduce<Terms>(n, surface.team(), body), all = surface.united(mine);
+  const Terms mine = reduce<Terms>(n, surface.points().team(), body), all = surface.points().company().united(mine);
   return {touching.list(), all.largest_product, all.largest_gap,
-          surface.company().keeps_all_points() ? sum_by_pieces(surface, compression, answer) : mine.sum_of_gaps};
+          surface.points().company().keeps_all_points() ? sum_by_pieces(surface, compression, answer) : mine.sum_of_gaps};
 }
 
 }  // namespace rc

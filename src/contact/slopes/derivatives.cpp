@@ -35,42 +35,79 @@ void check_finite(double value, const char* name) {
   if (!std::isfinite(value)) fail(RC_ERR_ARGUMENT, name, " = ", value, " is not finite");
 }
 
-// The step whose derivatives are asked for. C: the points in contact below the hardness, whose pressures change; those of the
-// other loaded points stay. Lengths and pressures are the caller's; solutions of A x = b, A = H[C,C] + mean 11', have the units
-// of b: H is dimensionless where the operator applies it.
+// The loaded points, and C: those in contact below the hardness, whose pressures change; those of the other loaded points stay.
+class ContactSet {
+ public:
+  ContactSet(const GridProblem& problem, const CertifiedStep& last) : loaded_(last.pressures.positive(problem.team())) {
+    const double depth = last.approach - problem.surface.lowest();
+    for (std::size_t k = 0; k < loaded_.p.size(); ++k) {
+      if (loaded_.p[k] >= problem.system.hardness) continue;
+      points_.push_back(loaded_.on.index[k]);
+      among_loaded_.push_back(k);
+      u_.push_back(depth - problem.surface.height(point(n() - 1)));
+    }
+  }
+
+  const Pressures& loaded() const { return loaded_; }
+  std::size_t n() const { return points_.size(); }
+  const std::vector<std::int64_t>& points() const { return points_; }
+  std::size_t point(std::size_t k) const { return static_cast<std::size_t>(points_[k]); }
+  std::size_t among_loaded(std::size_t k) const { return among_loaded_[k]; }
+  const Field& u() const { return u_; }  // [length]
+
+ private:
+  const Pressures loaded_;
+  std::vector<std::int64_t> points_;
+  std::vector<std::size_t> among_loaded_;
+  Field u_;
+};
+
+// One equation's answer: A x = b.
+struct Solution {
+  Field x;
+  double sum = 0;
+  double residual = 0;  // |b - A x| is at most that; NaN: not known
+};
+
+// Bounds of the errors of solutions. flat: the one for b = 1.
+struct SolutionErrors {
+  std::size_t n = 0;
+  double lowest = 0;  // eigenvalue of A, from below; 0: none is known
+
+  double of(const Solution& x) const { return n == 0 ? 0 : lowest > 0 ? x.residual / lowest : unknown; }
+  double of_sum(const Solution& x, const Solution& flat) const {
+    return lowest > 0 ? x.residual * std::sqrt(flat.sum / lowest) : unknown;
+  }
+  // Likewise of x + part flat.x, where `part` is off by up to `doubt`.
+  double of(const Solution& x, double part, double doubt, const Solution& flat) const {
+    return of(x) + std::abs(part) * of(flat) + euclidean(flat.x) * doubt;
+  }
+};
+
+// The step whose derivatives are asked for. Lengths and pressures are the caller's; solutions of A x = b, A = H[C,C] + mean 11',
+// have the units of b: H is dimensionless where the operator applies it.
 class Linearised {
  public:
-  Linearised(const GridProblem& problem, const Memory& memory, const StepOutcome& last, const Monitor& monitor)
+  Linearised(const GridProblem& problem, const Memory& memory, const Monitor& monitor)
       : problem_(problem),
-        last_(last),
+        last_(memory.outcome),
         monitor_(monitor),
         before_(problem.operators().spent().products),
-        loaded_(memory.last.pressures.positive(problem.team())) {
-    if (last.certified == 0)
+        set_(problem, memory.last) {
+    if (last_.certified == 0)
       fail(RC_ERR_ARGUMENT,
            "the last step on the given grid did not return RC_OK, or there was none since the contact was made, ",
            "reset or restored: only a certified step has derivatives");
-    const double depth = memory.last.approach - problem.surface.lowest();
-    for (std::size_t k = 0; k < loaded_.p.size(); ++k) {
-      if (loaded_.p[k] >= system().hardness) continue;
-      set_.push_back(loaded_.on.index[k]);
-      among_loaded_.push_back(k);
-      u_.push_back(depth - problem.surface.height(point(set_.size() - 1)));
-    }
-    if (by_load() && loaded_.empty())
+    if (by_load() && set_.loaded().empty())
       fail(RC_ERR_ARGUMENT, "the load is 0: no point carries pressure, so that the approach has no derivative; give a load > 0");
-    if (by_load() && set_.empty())
-      fail(RC_ERR_ARGUMENT, "all ", loaded_.p.size(), " points in contact carry the hardness ", system().hardness,
+    if (by_load() && set_.n() == 0)
+      fail(RC_ERR_ARGUMENT, "all ", set_.loaded().p.size(), " points in contact carry the hardness ", system().hardness,
            ": the load does not determine the approach, which has no derivative; give a smaller load");
   }
 
   bool by_load() const { return last_.certified == RC_CONTROL_LOAD; }
   const System& system() const { return problem_.system; }
-  std::size_t n() const { return set_.size(); }
-  std::size_t point(std::size_t k) const { return static_cast<std::size_t>(set_[k]); }
-  const Field& u() const { return u_; }
-  const Field& loaded() const { return loaded_.p; }  // the pressures
-  std::size_t among_loaded(std::size_t k) const { return among_loaded_[k]; }
+  const ContactSet& set() const { return set_; }
   bool included(std::size_t i) const { return problem_.surface.included(i); }
   double unit() const { return system().length_per_pressure; }
   std::int64_t undecided() const { return last_.undecided; }
@@ -85,9 +122,10 @@ class Linearised {
   // H x / unit() at the loaded points, for x on all points, 0 at excluded ones.
   rc_status multiplied(const double* x, Field& out) {
     TrialSet trial;
+    const std::vector<std::int64_t>& loaded = set_.loaded().on.index;
     std::size_t k = 0;
     for (std::int64_t i = 0; i < system().points(); ++i) {
-      const bool touches = k < loaded_.p.size() && loaded_.on.index[k] == i;
+      const bool touches = k < loaded.size() && loaded[k] == i;
       k += touches;
       if (touches || (included(static_cast<std::size_t>(i)) && x[i] != 0)) trial.index.push_back(i);
     }
@@ -103,32 +141,26 @@ class Linearised {
     }
     const rc_status status = op.apply(spread.data(), product.data());
     raise_if_failed(status, "a product for the derivatives");
-    const std::vector<std::int64_t> positions = *positions_in(trial, loaded_.on.index);
+    const std::vector<std::int64_t> positions = *positions_in(trial, loaded);
     for (std::size_t i = 0; i < out.size() && status == RC_OK; ++i) out[i] = product[static_cast<std::size_t>(positions[i])];
     return status;
   }
 
   // H x on all points, for x on the loaded points [length]. No solve may follow.
   void deflection(const Field& x, Field& everywhere) {
-    Operator& op = on(loaded_.on.index);
+    Operator& op = on(set_.loaded().on.index);
     op.field(x, everywhere);
     const double datum = op.trial().zero_mode / static_cast<double>(system().points()) * total(x);
     for (double& value : everywhere) value = (value - datum) * unit();
   }
 
-  // One equation's answer: A x = b.
-  struct Solution {
-    Field x;
-    double sum = 0;
-    double residual = 0;  // |b - A x| is at most that; NaN: not known
-  };
   rc_status solve(const Field& b, Solution& out) {
-    Operator& op = on(set_);
+    Operator& op = on(set_.points());
     if (!solve_) solve_.emplace(problem_, op, all_positions());
     const Operator::Watch watch(op, [this] { return monitor_.ask(); });
     double size = 0;
     for (const double value : b) size = std::max(size, std::abs(value));
-    out = {Field(n()), 0, 0};
+    out = {Field(set_.n()), 0, 0};
     if (size == 0) return RC_OK;
     Field scaled = b;
     for (double& value : scaled) value /= size;
@@ -146,25 +178,15 @@ class Linearised {
   double mean() const { return solve_ ? solve_->mean() : 0; }
   rc_status status() const { return stalled_ ? RC_STOP_STALLED : RC_OK; }
 
-  // Bounds of the errors of a solution and of its sum. flat: that for b = 1.
-  double error(const Solution& x) const { return n() == 0 ? 0 : lowest() > 0 ? x.residual / lowest() : unknown; }
-  double error_of_sum(const Solution& x, const Solution& flat) const {
-    return lowest() > 0 ? x.residual * std::sqrt(flat.sum / lowest()) : unknown;
-  }
-  // Likewise of x + part flat.x, where `part` is off by up to `doubt`.
-  double error(const Solution& x, double part, double doubt, const Solution& flat) const {
-    return error(x) + std::abs(part) * error(flat) + euclidean(flat.x) * doubt;
-  }
+  SolutionErrors errors() const { return {set_.n(), solve_ ? solve_->lowest() : 0}; }
 
  private:
-  double lowest() const { return solve_ ? solve_->lowest() : 0; }
-
   TrialSet all_if_full(std::vector<std::int64_t> points) const {
     const auto size = static_cast<std::int64_t>(points.size());
     return size == system().points() ? TrialSet{size, {}} : TrialSet{size, std::move(points)};
   }
   std::vector<std::int64_t> all_positions() const {
-    std::vector<std::int64_t> positions(n());
+    std::vector<std::int64_t> positions(set_.n());
     std::iota(positions.begin(), positions.end(), std::int64_t{0});
     return positions;
   }
@@ -172,7 +194,7 @@ class Linearised {
   Operator& on(const std::vector<std::int64_t>& points) {
     const rc_backend& backend = *last_.choice.backend;
     TrialSet trial = all_if_full(points);
-    if (system().periodic() && backend.subset) trial.zero_mode = system().lambda_most;
+    if (system().periodic() && backend.subset) trial.zero_mode = system().bounds.lambda_most;
     return problem_.operators().bound(backend, trial);
   }
 
@@ -180,15 +202,10 @@ class Linearised {
   const StepOutcome& last_;
   const Monitor& monitor_;
   const std::int64_t before_;
-  const Pressures loaded_;
-  std::vector<std::int64_t> set_;          // C
-  std::vector<std::size_t> among_loaded_;  // where each of its points is
-  Field u_;                                // [length] on C
+  const ContactSet set_;
   std::optional<SubsetSolve> solve_;
   bool stalled_ = false;
 };
-
-using Solution = Linearised::Solution;
 
 // The multiple of s that turns A^-1 b into H_CC^-1 b (Sherman & Morrison 1950).
 double without_mean(double mean, const Solution& x, const Solution& flat) {
@@ -197,10 +214,10 @@ double without_mean(double mean, const Solution& x, const Solution& flat) {
 
 }  // namespace
 
-rc_status differentiate(const GridProblem& problem, const Memory& memory, const StepOutcome& last, const Monitor& monitor,
-                        rc_gradient& request) {
-  Linearised step(problem, memory, last, monitor);
+rc_status differentiate(const GridProblem& problem, const Memory& memory, const Monitor& monitor, rc_gradient& request) {
+  Linearised step(problem, memory, monitor);
   const System& system = step.system();
+  const ContactSet& set = step.set();
   const double area = system.cell_area();
   step.check(request.dJ_dp, "rc_gradient.dJ_dp");
   step.check(request.dJ_dgap, "rc_gradient.dJ_dgap");
@@ -214,54 +231,55 @@ rc_status differentiate(const GridProblem& problem, const Memory& memory, const 
   direct -= sum_of(all, by_gap);
 
   // b = (dJ/dp + H dJ/dg)_C / unit. It is a multiple of 1 where J depends on load and approach alone.
-  Field product(step.loaded().size()), b(step.n());
+  Field product(set.loaded().p.size()), b(set.n());
   if (request.dJ_dgap && !product.empty())
     if (const rc_status status = step.multiplied(request.dJ_dgap, product); status != RC_OK) return status;
   for (std::size_t k = 0; k < b.size(); ++k) {
-    const double by_p = (request.dJ_dp ? request.dJ_dp[step.point(k)] : 0) + by_load * area;
-    b[k] = by_p / step.unit() + product[step.among_loaded(k)];
+    const double by_p = (request.dJ_dp ? request.dJ_dp[set.point(k)] : 0) + by_load * area;
+    b[k] = by_p / step.unit() + product[set.among_loaded(k)];
   }
   const bool uniform = !request.dJ_dp && !request.dJ_dgap;
   Solution lambda, flat;
-  if (step.n() > 0 && (uniform || step.by_load() || system.periodic()))
-    if (const rc_status status = step.solve(Field(step.n(), 1.0), flat); status != RC_OK) return status;
-  if (uniform && step.n() > 0) {
+  if (set.n() > 0 && (uniform || step.by_load() || system.periodic()))
+    if (const rc_status status = step.solve(Field(set.n(), 1.0), flat); status != RC_OK) return status;
+  if (uniform && set.n() > 0) {
     const double factor = b[0];
     lambda = {flat.x, flat.sum * factor, flat.residual * std::abs(factor)};
     for (double& value : lambda.x) value *= factor;
-  } else if (step.n() > 0) {
+  } else if (set.n() > 0) {
     if (const rc_status status = step.solve(b, lambda); status != RC_OK) return status;
   }
 
+  const SolutionErrors errors = step.errors();
   const double mean = step.mean(), share = 1 - mean * flat.sum;
   double part = 0, doubt = 0;  // w = lambda + part flat
   if (step.by_load()) {
     part = -(lambda.sum + direct) / flat.sum;
     request.dJ_dtarget = (lambda.sum + direct * share) * step.unit() / (area * flat.sum);
-    doubt = (step.error_of_sum(lambda, flat) + std::abs(part) * step.error_of_sum(flat, flat)) / flat.sum;
+    doubt = (errors.of_sum(lambda, flat) + std::abs(part) * errors.of_sum(flat, flat)) / flat.sum;
   } else {
     part = without_mean(mean, lambda, flat);
     request.dJ_dtarget = lambda.sum + part * flat.sum + direct;
-    if (mean != 0) doubt = mean / share * (step.error_of_sum(lambda, flat) + std::abs(part) * step.error_of_sum(flat, flat));
+    if (mean != 0) doubt = mean / share * (errors.of_sum(lambda, flat) + std::abs(part) * errors.of_sum(flat, flat));
   }
-  request.error = part == 0 ? step.error(lambda) : step.error(lambda, part, doubt, flat);
+  request.error = part == 0 ? errors.of(lambda) : errors.of(lambda, part, doubt, flat);
   Field w = lambda.x;
   for (std::size_t k = 0; k < w.size() && part != 0; ++k) w[k] += part * flat.x[k];
   request.dJ_dmodulus =
-      system.halfspace() ? (dot(w, step.u()) - step.unit() * dot(product, step.loaded())) / system.given.modulus : unknown;
+      system.halfspace() ? (dot(w, set.u()) - step.unit() * dot(product, set.loaded().p)) / system.given.modulus : unknown;
   request.undecided = step.undecided();
   request.products = step.products();
   if (double* const out = request.dJ_dundeformed_gap) {
     for (std::size_t i = 0; i < all; ++i) out[i] = by_gap(i);
-    for (std::size_t k = 0; k < w.size(); ++k) out[step.point(k)] -= w[k];
+    for (std::size_t k = 0; k < w.size(); ++k) out[set.point(k)] -= w[k];
   }
   return step.status();
 }
 
-rc_status differentiate(const GridProblem& problem, const Memory& memory, const StepOutcome& last, const Monitor& monitor,
-                        rc_tangent& request) {
-  Linearised step(problem, memory, last, monitor);
+rc_status differentiate(const GridProblem& problem, const Memory& memory, const Monitor& monitor, rc_tangent& request) {
+  Linearised step(problem, memory, monitor);
   const System& system = step.system();
+  const ContactSet& set = step.set();
   const double area = system.cell_area();
   step.check(request.dundeformed_gap, "rc_tangent.dundeformed_gap");
   check_finite(request.dtarget, "rc_tangent.dtarget");
@@ -274,41 +292,42 @@ rc_status differentiate(const GridProblem& problem, const Memory& memory, const 
 
   // A x = r; dp = x + part flat.
   const bool uniform = !request.dundeformed_gap && softer == 0;
-  Field r(step.n());
-  for (std::size_t k = 0; k < r.size(); ++k) r[k] = (dd - dh(step.point(k)) + softer * step.u()[k]) / step.unit();
-  Solution x{Field(step.n()), 0, 0}, flat{Field(step.n()), 0, 0};
-  if (step.n() > 0 && (uniform || step.by_load() || system.periodic()))
-    if (const rc_status status = step.solve(Field(step.n(), 1.0), flat); status != RC_OK) return status;
-  if (!uniform && step.n() > 0)
+  Field r(set.n());
+  for (std::size_t k = 0; k < r.size(); ++k) r[k] = (dd - dh(set.point(k)) + softer * set.u()[k]) / step.unit();
+  Solution x{Field(set.n()), 0, 0}, flat{Field(set.n()), 0, 0};
+  if (set.n() > 0 && (uniform || step.by_load() || system.periodic()))
+    if (const rc_status status = step.solve(Field(set.n(), 1.0), flat); status != RC_OK) return status;
+  if (!uniform && set.n() > 0)
     if (const rc_status status = step.solve(r, x); status != RC_OK) return status;
+  const SolutionErrors errors = step.errors();
   const double mean = step.mean(), share = 1 - mean * flat.sum;
   double part = 0, doubt = 0;
   if (step.by_load()) {
     const double force = request.dtarget / area;
     part = (force - x.sum) / flat.sum;
     dd = step.unit() * (part - mean * force);
-    doubt = (step.error_of_sum(x, flat) + std::abs(part) * step.error_of_sum(flat, flat)) / flat.sum;
+    doubt = (errors.of_sum(x, flat) + std::abs(part) * errors.of_sum(flat, flat)) / flat.sum;
   } else {
-    part = uniform ? (step.n() > 0 ? r[0] / share : 0) : without_mean(mean, x, flat);
-    if (mean != 0) doubt = mean / share * (step.error_of_sum(x, flat) + std::abs(part) * step.error_of_sum(flat, flat));
+    part = uniform ? (set.n() > 0 ? r[0] / share : 0) : without_mean(mean, x, flat);
+    if (mean != 0) doubt = mean / share * (errors.of_sum(x, flat) + std::abs(part) * errors.of_sum(flat, flat));
   }
-  const double error = part == 0 ? step.error(x) : step.error(x, part, doubt, flat);
+  const double error = part == 0 ? errors.of(x) : errors.of(x, part, doubt, flat);
   Field dp = x.x;
   for (std::size_t k = 0; k < dp.size(); ++k) dp[k] += part * flat.x[k];
 
   const std::size_t all = static_cast<std::size_t>(system.points());
   if (request.dgap) {
     Field moved(all);
-    Field stiffened = step.loaded();
+    Field stiffened = set.loaded().p;
     for (double& value : stiffened) value *= -softer;
-    for (std::size_t k = 0; k < dp.size(); ++k) stiffened[step.among_loaded(k)] += dp[k];
+    for (std::size_t k = 0; k < dp.size(); ++k) stiffened[set.among_loaded(k)] += dp[k];
     if (!stiffened.empty()) step.deflection(stiffened, moved);
     for (std::size_t i = 0; i < all; ++i) request.dgap[i] = step.included(i) ? moved[i] - (dd - dh(i)) : 0;
-    for (std::size_t k = 0; k < dp.size(); ++k) request.dgap[step.point(k)] = 0;
+    for (std::size_t k = 0; k < dp.size(); ++k) request.dgap[set.point(k)] = 0;
   }
   if (request.dp) {
     std::fill_n(request.dp, all, 0.0);
-    for (std::size_t k = 0; k < dp.size(); ++k) request.dp[step.point(k)] = dp[k];
+    for (std::size_t k = 0; k < dp.size(); ++k) request.dp[set.point(k)] = dp[k];
   }
   request.dload = step.by_load() ? request.dtarget : total(dp) * area;
   request.dapproach = dd;

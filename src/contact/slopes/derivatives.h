@@ -9,17 +9,14 @@
 
 #include <roughcontact/derivatives.h>
 
-#include "contact/attempt.h"
 #include "contact/memory/memory.h"
+#include "contact/monitor.h"
 #include "contact/problem.h"
 
 namespace rc {
 
-// Write the outputs of the request at their ends. last: of the step. Throw Error(ARGUMENT) where the last step has no
-// derivatives.
-rc_status differentiate(const GridProblem& problem, const Memory& memory, const StepOutcome& last, const Monitor& monitor,
-                        rc_gradient& request);
-rc_status differentiate(const GridProblem& problem, const Memory& memory, const StepOutcome& last, const Monitor& monitor,
-                        rc_tangent& request);
+// Write the outputs of the request at their ends. Throw Error(ARGUMENT) if the last step has no derivatives.
+rc_status differentiate(const GridProblem& problem, const Memory& memory, const Monitor& monitor, rc_gradient& request);
+rc_status differentiate(const GridProblem& problem, const Memory& memory, const Monitor& monitor, rc_tangent& request);
 
 }  // namespace rc

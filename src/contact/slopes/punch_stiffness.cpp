@@ -21,10 +21,10 @@ double unit_stiffness(const System& system, std::int64_t side) {
   const double shrink_y = static_cast<double>(grid.ny) / static_cast<double>(side);
   grid.hx *= shrink_x;
   grid.hy *= shrink_y;
-  if (system.influence->has(RC_KERNEL_SQUARE)) grid.hx = grid.hy = std::sqrt(grid.hx * grid.hy);
+  if (system.kernel.influence->has(RC_KERNEL_SQUARE)) grid.hx = grid.hy = std::sqrt(grid.hx * grid.hy);
   grid.nx = grid.ny = side;
   std::vector<double> at(static_cast<std::size_t>(side * side));
-  system.influence->window(grid, {0, 0, side, side}, at.data());
+  system.kernel.influence->window(grid, {0, 0, side, side}, at.data());
 
   const std::int64_t half = side / 2, n = half * half;
   const auto entry = [&](std::int64_t i, std::int64_t j) {

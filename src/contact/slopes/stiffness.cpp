@@ -33,7 +33,7 @@ struct FlatPunch {
 
 // In all processes.
 std::int64_t count(const GridProblem& problem, std::span<const std::int64_t> points) {
-  return problem.surface.united(static_cast<std::int64_t>(points.size()));
+  return problem.surface.points().company().united(static_cast<std::int64_t>(points.size()));
 }
 
 enum class Wanted { form, rate, proof };  // to the tolerance: the form alone; or x, of which the form has twice the digits
@@ -93,11 +93,11 @@ Stiffness stiffness(const GridProblem& problem, const Answer& answer) {
   std::vector<double> grown;
   problem.company().on_all([&] {
     for (std::size_t i = 0; i < answer.p.size(); ++i)
-      if (answer.p[i] > 0 && answer.p[i] < answer.cap()) contact.push_back(static_cast<std::int64_t>(i));
+      if (answer.p[i] > 0 && answer.p[i] < answer.units.cap()) contact.push_back(static_cast<std::int64_t>(i));
     // Between points in contact at both approaches the pressures have grown as a flat punch's do.
     for (const std::int64_t position : contact) {
       const auto i = static_cast<std::size_t>(position);
-      if (!interval && !answer.before.empty()) grown.push_back(answer.p[i] * answer.pressure_unit - answer.before[i]);
+      if (!interval && !answer.before.empty()) grown.push_back(answer.p[i] * answer.units.pressure - answer.before[i]);
     }
   });
   const std::int64_t contacts = count(problem, contact);
@@ -136,6 +136,18 @@ void prove_interval(const GridProblem& problem, Operator* op, const std::vector<
   stiffness.upper = in_units(system, upper);
   // The interval may be narrower than the value's own error.
   stiffness.value = std::min(std::max(stiffness.value, stiffness.lower), stiffness.upper);
+}
+
+rc_status stiffness_of_points(const GridProblem& problem, Operator& op, const std::vector<std::int64_t>& points,
+                              StiffnessInterval& stiffness) {
+  const System& system = problem.system;
+  const FlatPunch punch = pressed_at(problem, op, points, {});
+  if (punch.status != RC_OK && punch.status != RC_STOP_STALLED) return punch.status;
+  stiffness.value = in_units(system, punch.stiffness(punch.bound.form));
+  if (std::isnan(punch.bound.error)) return punch.status;
+  stiffness.lower = in_units(system, punch.lower());
+  stiffness.upper = in_units(system, punch.upper());
+  return punch.status;
 }
 
 }  // namespace rc

@@ -29,5 +29,9 @@ Stiffness stiffness(const GridProblem& problem, const Answer& answer);
 // of its solve. op: whose products make the proof; null if no point is possibly in contact.
 void prove_interval(const GridProblem& problem, Operator* op, const std::vector<std::int64_t>& contacts,
                     const std::vector<std::int64_t>& possible, Stiffness& stiffness);
+// A rigid flat punch has this stiffness on these points, ascending: at least one, and in a period not all. op: bound to them.
+// RC_STOP_STALLED: the error may exceed the tolerance, and the interval counts it.
+rc_status stiffness_of_points(const GridProblem& problem, Operator& op, const std::vector<std::int64_t>& points,
+                              StiffnessInterval& stiffness);
 
 }  // namespace rc

@@ -22,8 +22,8 @@ constexpr double product_rounding = 1e-12;  // of a residual from a product in d
 double lowest_eigenvalue(const GridProblem& problem, double zero_mode, std::size_t m) {
   const System& system = problem.system;
   if (!system.halfspace()) return problem.facts.spectrum ? problem.facts.spectrum->lowest : 0;
-  if (!system.periodic()) return system.lambda_min;
-  const double wave = system.lambda_wave;
+  if (!system.periodic()) return system.bounds.lambda_min;
+  const double wave = system.bounds.lambda_wave;
   return std::max(wave * (1 - static_cast<double>(m) / static_cast<double>(system.points())), std::min(wave, zero_mode));
 }
 
@@ -33,16 +33,16 @@ SubsetSolve::SubsetSolve(const GridProblem& problem, Operator& op, std::span<con
     : op_(op), set_(set.begin(), set.end()) {
   const System& system = problem.system;
   mean_ = op.trial().zero_mode / static_cast<double>(system.points());
-  const double lowest = system.periodic() ? system.lambda_wave : system.lambda_min;
+  const double lowest = system.periodic() ? system.bounds.lambda_wave : system.bounds.lambda_min;
   if (!system.halfspace() || op.has_subset() || !(lowest > 0)) {
     if (!problem.company().has_all_points())
       fail(RC_ERR_INCOMPATIBLE, "option ", RC_OPT_STIFFNESS, " = ", problem.options.integer(RC_OPT_STIFFNESS),
-           ": by rows it needs a kernel with a lowest eigenvalue, which \"", system.kernel, "\" does not promise");
+           ": by rows it needs a kernel with a lowest eigenvalue, which \"", system.kernel.name, "\" does not promise");
     lowest_ = lowest_eigenvalue(problem, op.trial().zero_mode, set.size());
     return;
   }
   preconditioned_.emplace(
-      op, set, problem.grid(), lowest, problem.team(),
+      op, set, grid_of(problem), lowest, problem.team(),
       [&problem](std::int64_t mx, std::int64_t my, auto& out) {
         out.resize(static_cast<std::size_t>(mx * my));
         raise_if_failed(problem.operators().coefficients(mx, my, out.data()), "the solve on the contact set");

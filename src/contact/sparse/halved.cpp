@@ -9,7 +9,7 @@
 namespace rc {
 
 CoarseGrid halved(const GridProblem& finer, int halvings) {
-  return downsample(finer.system.given.nx, finer.system.given.ny, finer.surface.gap(), finer.surface.masks(), halvings,
+  return downsample(finer.system.given.nx, finer.system.given.ny, finer.surface.gap(), finer.surface.mask(), halvings,
                     [&](std::int64_t rows, const std::function<void(std::int64_t)>& act) {
                       roughcontact::for_each(finer.team(), rows, true, [&](std::int64_t row, std::int64_t) { act(row); });
                     });
@@ -44,8 +44,8 @@ HalvedProblem::HalvedProblem(const GridProblem& finer, const rc_options& options
     : problem_(halved_system(finer.system.given, halvings), options, &finer.team(), finer.company()),
       coarse_(finer.coarse->another()) {
   problem_.coarse = coarse_.get();
-  if (const GatheredTiles* const tiles = finer.surface.tiles()) {
-    halve_rows(finer, tiles->shared());
+  if (const GatheredTiles* const gathered = finer.surface.gathered()) {
+    halve_rows(finer, gathered->shared());
     return;
   }
   surface_ = halved(finer, halvings);
@@ -54,8 +54,8 @@ HalvedProblem::HalvedProblem(const GridProblem& finer, const rc_options& options
 
 void HalvedProblem::halve_rows(const GridProblem& finer, const StepSurface& rows) {
   constexpr std::int64_t most_gathered = 512 * 512;  // points
-  const Company &company = rows.company(), half = company.halved();
-  surface_ = downsample(rows.nx(), company.own_rows(0), rows.gap(), rows.masks(), Filter::mean);
+  const Company &company = rows.points().company(), half = company.halved();
+  surface_ = downsample(rows.points().nx(), company.own_rows(0), rows.gap(), rows.mask(), Filter::mean);
   const std::int64_t ny = half.all_rows(0);
   if (surface_.nx * ny >= most_gathered && company.halvings() > 1) {
     rows_ = StepSurface({surface_.nx, surface_.ny, surface_.gap, surface_.mask, true}, finer.team(), half);

@@ -25,9 +25,11 @@ struct Largest {
 // H p on the trial set, and at least at the points outside it whose gap is below the margin, by a product over all points; of
 // processes each looks at its rows. Bounds of round-off need the largest size of H p, too.
 Deflected near_surface(const GridProblem& problem, const Answer& answer, double compression, double margin) {
-  GatheredTiles* const tiles = problem.surface.tiles();
-  const StepSurface& own = tiles ? tiles->shared() : problem.surface;
-  const std::int64_t n = own.points(), before = own.first_row() * own.nx();
+  GatheredTiles* const gathered = problem.surface.gathered();
+  const StepSurface& own = gathered ? gathered->shared() : problem.surface;
+  const SurfacePoints& points_of = own.points();
+  const Company& company = points_of.company();
+  const std::int64_t n = points_of.count(), before = company.first_row() * points_of.nx();
   auto product = large_vector<double>(static_cast<std::size_t>(n));
   answer.op->field(answer.p, product);
   Marks marks(n);
@@ -36,7 +38,7 @@ Deflected near_surface(const GridProblem& problem, const Answer& answer, double 
     double largest[lanes] = {};
     double* const of = product.data() + begin;
     const auto take = [&](std::int64_t i, std::int64_t lane) {
-      of[i] *= answer.length_unit;
+      of[i] *= answer.units.length;
       const double size = std::abs(of[i]);
       largest[lane] = size > largest[lane] ? size : largest[lane];
     };
@@ -47,7 +49,7 @@ Deflected near_surface(const GridProblem& problem, const Answer& answer, double 
     mark_near(own, {}, product, compression, margin, begin, count, marks);
     return Largest{*std::max_element(largest, largest + lanes), begin, begin + count};
   };
-  const Largest mine = reduce<Largest>(n, own.team(), body), whole = own.united(mine);
+  const Largest mine = reduce<Largest>(n, points_of.team(), body), whole = company.united(mine);
   for (std::int64_t i = mine.begin; i < mine.end && mine.size == whole.size; ++i)
     if (std::abs(product[static_cast<std::size_t>(i)]) == whole.size) marks.add(static_cast<std::size_t>(i));
   const TrialSet& trial = answer.op->trial();
@@ -60,10 +62,10 @@ Deflected near_surface(const GridProblem& problem, const Answer& answer, double 
     products.push_back(product[i]);
   }
   Deflected result;
-  result.pressures.on.index = own.company().joined(std::move(points));
+  result.pressures.on.index = company.joined(std::move(points));
   result.pressures.on.n = static_cast<std::int64_t>(result.pressures.on.index.size());
-  result.product = own.company().joined(std::move(products));
-  if (tiles) tiles->hold_tiles_of(result.pressures.on.index);
+  result.product = company.joined(std::move(products));
+  if (gathered) gathered->hold_tiles_of(result.pressures.on.index);
   result.pressures.p = answer.pressures().at(result.pressures.on);
   if (result.pressures.on.n == problem.system.points()) result.pressures.on.index.clear();
   result.beyond = margin;
@@ -90,23 +92,24 @@ Deflected screened(const GridProblem& problem, const Answer& answer, double comp
   std::vector<std::int64_t> found;
   rc_screen request{};
   request.struct_size = sizeof request;
-  request.approach = surface.limit_of(compression + margin);
-  GatheredTiles* const tiles = surface.tiles();
-  const StepSurface& own = tiles ? tiles->shared() : surface;  // the points that this process looks at
+  request.approach = surface.range().limit_of(compression + margin);
+  GatheredTiles* const gathered = surface.gathered();
+  const StepSurface& own = gathered ? gathered->shared() : surface;  // the points that this process looks at
   request.undeformed_gap = own.gap().array();
-  request.mask = own.mask();
-  if (tiles) {
-    request.first_row = own.first_row();
-    request.rows = own.company().own_rows(0);
+  request.mask = own.mask().data();
+  const Company& company = own.points().company();
+  if (gathered) {
+    request.first_row = company.first_row();
+    request.rows = company.own_rows(0);
     if (request.rows == 0) {  // this process has none, and looks at a row that is nowhere near
-      far.assign(static_cast<std::size_t>(surface.nx()), std::numeric_limits<double>::infinity());
+      far.assign(static_cast<std::size_t>(surface.points().nx()), std::numeric_limits<double>::infinity());
       request.first_row = 0;
       request.rows = 1;
       request.undeformed_gap = {far.data(), RC_NATIVE, 0, nullptr};
       request.mask = nullptr;
     }
   } else {
-    request.tile_lowest = surface.tile_lowest().data();
+    request.tile_lowest = surface.tiles().lowest.data();
   }
   request.y = y.data();
   request.room = std::max<std::int64_t>(1 << 16, 4 * trial.n);
@@ -115,17 +118,17 @@ Deflected screened(const GridProblem& problem, const Answer& answer, double comp
     depth.resize(found.size());
     request.found = found.data();
     request.depth = depth.data();
-    request.unit = answer.length_unit;
+    request.unit = answer.units.length;
     answer.op->screen(answer.p, request);
     if (request.n_found <= request.room) break;
     request.room = request.n_found;
   }
-  if (tiles) {
-    unite(own.company(), found, request.n_found);
-    unite(own.company(), depth, request.n_found);
+  if (gathered) {
+    unite(company, found, request.n_found);
+    unite(company, depth, request.n_found);
     request.n_found = static_cast<std::int64_t>(found.size());
-    tiles->hold_tiles_of(trial.index);
-    tiles->hold_tiles_of(found);
+    gathered->hold_tiles_of(trial.index);
+    gathered->hold_tiles_of(found);
   }
   std::vector<std::size_t> order(static_cast<std::size_t>(request.n_found));
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
@@ -152,7 +155,7 @@ Deflected screened(const GridProblem& problem, const Answer& answer, double comp
   for (std::size_t i = 0; i < y.size(); ++i) {
     const std::int64_t point = trial.point(static_cast<std::int64_t>(i));
     put_found_below(point);
-    put(point, answer.p[i] * answer.pressure_unit, y[i] * answer.length_unit);
+    put(point, answer.p[i] * answer.units.pressure, y[i] * answer.units.length);
   }
   put_found_below(problem.system.points());
   if (result.pressures.on.n == problem.system.points()) result.pressures.on.index.clear();

@@ -8,6 +8,8 @@
 
 #include "contact/step/services.h"
 #include "contact/step/trial.h"
+#include "contact/surface/bearing.h"
+#include "contact/surface/points_below.h"
 #include "core/error.h"
 #include "core/limits.h"
 #include "core/start_terms.h"
@@ -32,7 +34,7 @@ double approach_estimate(double load, bool warm, const GridProblem& problem, con
   const double ratio = warm ? std::max(1.0, load / last.load) : infinite;
   const double foretold = warm ? warm_margin * (last.approach - problem.surface.lowest()) * ratio : infinite;
   if (ratio <= near_load) return foretold;
-  return std::min(foretold, bed_margin * problem.surface.bearing_height(load / (s.modulus * std::sqrt(s.hx) * std::sqrt(s.hy))));
+  return std::min(foretold, bed_margin * bearing_height(load / (s.modulus * std::sqrt(s.hx) * std::sqrt(s.hy)), problem.surface));
 }
 
 // Newton's method on the load, which is a continuous, increasing, piecewise linear function of the approach; its slope is that of
@@ -47,15 +49,15 @@ rc_status balance_load(Answer& answer, double load, double shift, double first, 
   std::vector<double> height(n), u(n), ones, rate;
   std::vector<std::int64_t> contact;
   for (std::size_t i = 0; i < n; ++i)
-    height[i] = problem.surface.height(static_cast<std::size_t>(trial.point(static_cast<std::int64_t>(i)))) / answer.length_unit;
+    height[i] = problem.surface.height(static_cast<std::size_t>(trial.point(static_cast<std::int64_t>(i)))) / answer.units.length;
 
-  const double cap = answer.cap();
+  const double cap = answer.units.cap();
   double low = 0, high = infinite, d = first + shift, missing = infinite;
   for (int k = 0; k < most_approaches; ++k) {
     for (std::size_t i = 0; i < n; ++i) u[i] = d - height[i];
     double unused = 0;
     answer.compression = d - shift;
-    const double depth = std::max(answer.compression, 1e-3 * d), physical = lowest + answer.compression * answer.length_unit;
+    const double depth = std::max(answer.compression, 1e-3 * d), physical = lowest + answer.compression * answer.units.length;
     const rc_status solved = run_solver(RC_CONTROL_APPROACH, u, 0, 0.5 * tol * depth, physical, answer.p, unused);
     // Pressures of less than the accuracy asked for still tell where the load is.
     if (solved != RC_OK && solved != RC_STOP_STALLED && solved != RC_UNCERTIFIED) return solved;
@@ -106,7 +108,7 @@ Answer at_load(const GridProblem& problem, const Memory& memory, const Step& ste
   const bool narrow = estimate && !estimate->dense;
   double height = narrow               ? growth * (estimate->approach - lowest)
                   : system.halfspace() ? approach_estimate(step.target.value, warm && !memory.indented, problem, last)
-                                       : surface.highest() - lowest;
+                                       : surface.range().highest - lowest;
   if (!(height > 0)) height = load * system.length_per_pressure;
   Step from = step;
   from.warm = near;
@@ -118,9 +120,9 @@ Answer at_load(const GridProblem& problem, const Memory& memory, const Step& ste
   bool handed_over = false;
   for (int round = 0;; ++round) {
     double limit = std::max(lowest + height, std::nextafter(lowest, infinite));
-    TrialSet set = system.halfspace() ? trial_below(limit, problem) : surface.all();
+    TrialSet set = system.halfspace() ? trial_below(limit, problem) : included_points(surface);
     while (!company.keeps_all_points() && static_cast<double>(set.n) * system.hardness < spare * load &&
-           set.n < surface.included_points()) {
+           set.n < surface.range().included) {
       height *= 2;
       limit = lowest + height;
       set = trial_below(limit, problem);
@@ -132,19 +134,19 @@ Answer at_load(const GridProblem& problem, const Memory& memory, const Step& ste
     answer.limit = limit - lowest;
     // Without load control of its own the datum is shifted by a multiple of the load, which is prescribed: the approach then
     // determines the load even in full contact.
-    const double zero_mode = system.periodic() && !direct ? system.lambda_most : 0;
+    const double zero_mode = system.periodic() && !direct ? system.bounds.lambda_most : 0;
     trial.bind(zero_mode);
     trial.start(memory, from, nearer ? &*nearer : nullptr);
     trial.follow(memory, from, !nearer);
     nearer.reset();
-    const double wanted = load / answer.pressure_unit, per_load = zero_mode / static_cast<double>(system.points());
+    const double wanted = load / answer.units.pressure, per_load = zero_mode / static_cast<double>(system.points());
     if (direct) {
       double d = foretold ? std::clamp((likely - lowest) / height, 0.0, 1.0) : 0;
       trial.solve(wanted, solver_tol(problem), lowest, d);
       answer.compression = d;
     } else {
       double first = foretold && likely > lowest ? (likely - lowest) / height : 1;
-      if (system.periodic() && !foretold) first = (surface.mean() - lowest) / height;
+      if (system.periodic() && !foretold) first = (lowest + surface.moments().mean - lowest) / height;
       const double shift = zero_mode * wanted / static_cast<double>(system.points());
       answer.status = balance_load(answer, wanted, shift, first, problem, attempt);
     }
@@ -159,7 +161,7 @@ Answer at_load(const GridProblem& problem, const Memory& memory, const Step& ste
     answer.datum_shift = per_load * sum * height;
     answer.compression = (answer.compression + per_load * (wanted - sum)) * height;
     const bool covered =
-        company.keeps_all_points() || trial.set().n == surface.included_points() || answer.compression <= answer.limit;
+        company.keeps_all_points() || trial.set().n == surface.range().included || answer.compression <= answer.limit;
     const bool finite = std::isfinite(answer.compression);  // else the certificate reports it
     if (covered || !finite || answer.status != RC_OK || round == most_widenings) return std::move(answer);
     height = growth * answer.compression;

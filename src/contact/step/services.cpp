@@ -124,9 +124,9 @@ rc_status solve(const rc_solver& solver, BoundProblem& problem, double* p, doubl
   const rc_options& options = problem.run.problem.options;
   const StepSurface& surface = problem.run.problem.surface;
   const bool in_single = (solver.needs & RC_READS_SINGLE_GAP) != 0;
-  const GapValues& gap = surface.gap_for_solver();
   rc_grid& grid = problem.where;
-  if (grid.nx > 0) grid.undeformed_gap = in_single ? gap.array() : rc_const_array{surface.gap_in_double(), RC_NATIVE, 0, nullptr};
+  if (grid.nx > 0) grid.undeformed_gap = surface.gap_for_solver(in_single);
+  const GapValues& gap = surface.gap();
   if (const GapOnDevice& there = problem.run.problem.gap_on_device; there.is_of(gap) && (in_single || gap.in_double()))
     grid.gap_on_device = {there.at, gap.array().type, 0, there.memory.c_str()};
   op_for(problem);
@@ -205,7 +205,7 @@ void connect(BoundProblem& problem) {
   problem.rows = company.shown_in(problem.shared);
   problem.subset = all_here && (run.fallbacks || (caps & RC_CAP_SUBSET)) ? subset : nullptr;
   problem.poll = poll;
-  problem.lambda_min = run.problem.system.lambda_min;
+  problem.lambda_min = run.problem.system.bounds.lambda_min;
   problem.positive = run.problem.system.positive;
   problem.factors = (caps & RC_CAP_SUBSET) != 0;
   problem.shifted = all_here && (run.fallbacks || (caps & RC_CAP_SHIFTED)) ? shifted : nullptr;
@@ -263,10 +263,10 @@ SolverRun::SolverRun(const GridProblem& posed, const Answer& answer, Attempt& un
       op(*answer.op),
       attempt(under),
       fallbacks(posed.options.integer(RC_OPT_ALLOW_FALLBACK) != 0),
-      grid(posed.system.halfspace() ? posed.grid() : rc_grid{}),
-      length_unit(posed.system.halfspace() ? answer.length_unit : 0),
-      pressure_unit(posed.system.halfspace() ? answer.pressure_unit : 0),
-      cap(answer.cap()),
+      grid(posed.system.halfspace() ? grid_of(posed) : rc_grid{}),
+      length_unit(posed.system.halfspace() ? answer.units.length : 0),
+      pressure_unit(posed.system.halfspace() ? answer.units.pressure : 0),
+      cap(answer.units.cap()),
       most_iterations(look > 0 ? look : std::numeric_limits<std::int64_t>::max()),
       history_(history),
       warmed_up_(look > 0) {}
@@ -291,7 +291,7 @@ rc_status SolverRun::operator()(std::int32_t control, std::span<const double> u,
     warmed_up_ = true;
     if (const rc_status status = warm_up(posed, p.data(), &d); status != RC_OK) return status;
   }
-  if (history_ && problem.keeps_answers && grid.nx > 0 && problem.company().has_all_points()) {
+  if (history_ && problem.goal.keeps_answers && grid.nx > 0 && problem.company().has_all_points()) {
     const bool as_given = !warms_up(*choice.solver, problem.options);
     posed.steps = {{.struct_size = sizeof(rc_kept_steps),
                     .last = as_given ? history_->last.of(*choice.solver) : nullptr,

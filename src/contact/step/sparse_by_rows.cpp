@@ -34,13 +34,13 @@ bool all_can(const GridProblem& problem, const Step& step) {
 
 std::int64_t contacts_of(const CertifiedStep& last, const GridProblem& problem) {
   const std::vector<double>& p = last.pressures.p;
-  return problem.surface.united(
+  return problem.surface.points().company().united(
       static_cast<std::int64_t>(std::count_if(p.begin(), p.end(), [](double each) { return each > 0; })));
 }
 
 // The last step of all processes, whose pressures are few.
 CertifiedStep gathered(const CertifiedStep& last, const GridProblem& problem) {
-  const std::int64_t before = problem.surface.first_row() * problem.system.given.nx;
+  const std::int64_t before = problem.surface.points().company().first_row() * problem.system.given.nx;
   const Pressures positive = last.pressures.positive(problem.team());
   std::vector<std::int64_t> mine(positive.p.size());
   for (std::size_t k = 0; k < mine.size(); ++k) mine[k] = positive.on.point(static_cast<std::int64_t>(k)) + before;
@@ -53,7 +53,8 @@ CertifiedStep gathered(const CertifiedStep& last, const GridProblem& problem) {
 
 // What this process has of entries at points of the whole grid, in ascending order.
 template <class Take> void each_own(const GridProblem& problem, std::size_t n, const auto& point, const Take& take) {
-  const std::int64_t before = problem.surface.first_row() * problem.system.given.nx, end = before + problem.own_points();
+  const std::int64_t before = problem.surface.points().company().first_row() * problem.system.given.nx,
+                     end = before + problem.own_points();
   for (std::size_t k = 0; k < n; ++k)
     if (point(k) >= before && point(k) < end) take(point(k) - before, k);
 }

@@ -17,6 +17,7 @@
 #include "contact/step/by_load.h"
 #include "contact/step/trial.h"
 #include "contact/surface/blocks.h"
+#include "contact/surface/points_below.h"
 
 namespace rc {
 
@@ -40,9 +41,10 @@ std::int64_t count_positive(const std::vector<double>& values) {
 // Every point that the approach can reach, where these lie in a small part of the grid; else nothing.
 TrialSet reachable(const GridProblem& problem, const Estimate& estimate, double limit) {
   if (!problem.system.positive) return {};
-  const std::int64_t box = problem.surface.extent_below(limit).box();
-  if (problem.surface.tiles() && box > most_compact) return {};
-  return estimate.pressures.empty() || compact * box > problem.system.points() ? TrialSet{} : problem.surface.below(limit);
+  const std::int64_t box = extent_below(limit, problem.surface).box();
+  if (problem.surface.gathered() && box > most_compact) return {};
+  return estimate.pressures.empty() || compact * box > problem.system.points() ? TrialSet{}
+                                                                               : points_below(limit, problem.surface);
 }
 
 // Points that carry pressure, or have a small gap, under an estimate.
@@ -50,8 +52,8 @@ std::vector<std::int64_t> points_under(const GridProblem& problem, const Estimat
   Answer guess = answer_in(estimate.approach - problem.surface.lowest(), choice, problem.system);
   guess.op = &problem.operators().bound(*choice.backend, estimate.pressures.on);
   guess.p = estimate.pressures.p;
-  for (double& value : guess.p) value /= guess.pressure_unit;
-  const double compression = guess.length_unit, margin = halo * compression;
+  for (double& value : guess.p) value /= guess.units.pressure;
+  const double compression = guess.units.length, margin = halo * compression;
   const Deflected found = screened(problem, guess, compression, margin);
   std::vector<std::int64_t> points;
   for (std::size_t k = 0; k < found.size(); ++k) {
@@ -97,10 +99,10 @@ std::optional<Answer> solve_few(const GridProblem& problem, const Memory& memory
     if (whole) answer.limit = limit - lowest;
     trial.bind();
     trial.start(memory, step, &estimate.pressures);
-    if (surface.tiles() && count_positive(answer.p) == 0) return std::nullopt;  // a cold start would read the whole gap
+    if (surface.gathered() && count_positive(answer.p) == 0) return std::nullopt;  // a cold start would read the whole gap
     double d = by_load ? 1 : 0;
-    const double wanted = by_load ? load / answer.pressure_unit : 0;
-    if (!(static_cast<double>(trial.set().n) * answer.cap() > wanted)) return std::nullopt;
+    const double wanted = by_load ? load / answer.units.pressure : 0;
+    if (!(static_cast<double>(trial.set().n) * answer.units.cap() > wanted)) return std::nullopt;
     const double tol = solver_tol(problem) * (by_load ? 1 : residual_scale(target, problem, depth) / depth);
     trial.solve(wanted, tol, by_load ? lowest : target.value, d);
     answer.compression = by_load ? d * depth : target.compression(surface);
@@ -168,7 +170,7 @@ std::optional<Estimate> coarse_estimate(const GridProblem& problem, const Target
   if (std::min(system.nx, system.ny) < 2 * least_sparse_side) return std::nullopt;
   rc_options options = coarse_options(problem.options, monitor);
   options.set(RC_OPT_TOL, std::max(estimate_tol, problem.options.real(RC_OPT_TOL)));
-  const int halvings = problem.surface.tiles() ? 1 : halvings_of(problem.system.points());
+  const int halvings = problem.surface.gathered() ? 1 : halvings_of(problem.system.points());
   const HalvedProblem halved(problem, options, halvings);
   const GridProblem& half = halved.problem();
   if (!target.touches(half.surface)) return std::nullopt;
@@ -181,13 +183,14 @@ std::optional<Estimate> coarse_estimate(const GridProblem& problem, const Target
   std::optional<Answer> answer;
   if (choice && coarser && !coarser->dense) answer = solve_few(half, {}, at, *choice, *coarser, attempt);
   if (!answer) {
-    if ((choice || half.surface.tiles()) && (halvings > 1 || !dense)) return std::nullopt;
+    if ((choice || half.surface.gathered()) && (halvings > 1 || !dense)) return std::nullopt;
     answer = target.by_load() ? at_load(half, {}, at, attempt, std::move(coarser)) : at_approach(half, {}, at, attempt, coarser);
   }
   const std::int64_t contacts = count_positive(answer->p);
   if (contacts == 0) return std::nullopt;
   const Blocks blocks{system.nx, system.ny, std::int64_t{1} << halvings};
-  if (GatheredTiles* const tiles = problem.surface.tiles()) tiles->hold_tiles_of(blocks.points_under(answer->pressures()));
+  if (GatheredTiles* const gathered = problem.surface.gathered())
+    gathered->hold_tiles_of(blocks.points_under(answer->pressures()));
   return Estimate{spread(answer->pressures(), blocks, problem.surface, Cut::same_pressure),
                   half.surface.lowest() + answer->compression,
                   !few(contacts, half.system.points(), problem.operators().multiply_by_rows())};

@@ -4,6 +4,8 @@
 
 #include "contact/operators.h"
 #include "contact/step/services.h"
+#include "contact/surface/points_below.h"
+#include "contact/surface/trial_box.h"
 
 namespace rc {
 
@@ -13,7 +15,7 @@ namespace {
 TrialSet widened(TrialSet trial, const Choice& choice, const GridProblem& problem) {
   constexpr std::uint64_t by_points = RC_CAP_SUBSET | RC_CAP_SCREEN;  // backends whose products cost more with every point
   if (problem.company().keeps_all_points() || !(choice.solver->needs & RC_WANTS_BOX) || (choice.backend->caps & by_points) ||
-      !problem.surface.whole())
+      !problem.surface.range().whole)
     return trial;
   const rc_system& system = problem.system.given;
   const std::int64_t box = box_points(trial, system.nx, system.ny);
@@ -22,14 +24,14 @@ TrialSet widened(TrialSet trial, const Choice& choice, const GridProblem& proble
 
 // The dimensionless u = (datum - gap) / unit; empty if the solver reads the gap itself.
 std::vector<double> compenetrations(const Answer& answer, double datum, const GridProblem& problem) {
-  GatheredTiles* const tiles = problem.surface.tiles();
-  if (!tiles && problem.system.halfspace() && takes_gap(*answer.choice.solver, problem.options)) return {};
+  GatheredTiles* const gathered = problem.surface.gathered();
+  if (!gathered && problem.system.halfspace() && takes_gap(*answer.choice.solver, problem.options)) return {};
   const TrialSet& trial = answer.op->trial();
-  if (tiles) tiles->hold_tiles_of(trial.index);
+  if (gathered) gathered->hold_tiles_of(trial.index);
   std::vector<double> u(static_cast<std::size_t>(trial.n));
   for (std::size_t i = 0; i < u.size(); ++i)
     u[i] = (datum - problem.surface.gap_at(static_cast<std::size_t>(trial.point(static_cast<std::int64_t>(i))))) /
-           answer.length_unit;
+           answer.units.length;
   return u;
 }
 
@@ -37,7 +39,7 @@ std::vector<double> compenetrations(const Answer& answer, double datum, const Gr
 
 TrialSet trial_below(double limit, const GridProblem& problem) {
   if (problem.company().keeps_all_points()) return {problem.own_points(), {}};
-  return problem.system.positive ? problem.surface.below(limit) : problem.surface.all();
+  return problem.system.positive ? points_below(limit, problem.surface) : included_points(problem.surface);
 }
 
 Trial::Trial(const GridProblem& problem, const Step& step, TrialSet set, double unit, Attempt& attempt,
@@ -55,7 +57,7 @@ void Trial::bind(double zero_mode) {
 
 void Trial::start(const Memory& memory, const Step& from, const Pressures* nearer) {
   problem_.company().on_all(
-      [&] { answer.p = memory.start(from, set_, answer.pressure_unit, answer.cap(), nearer, problem_.team()); });
+      [&] { answer.p = memory.start(from, set_, answer.units.pressure, answer.units.cap(), nearer, problem_.team()); });
 }
 
 void Trial::follow(const Memory& memory, const Step& from, bool of_earlier) {

@@ -1,8 +1,11 @@
+#include "contact/surface/bearing.h"
+
 #include <algorithm>
 #include <cmath>
 #include <roughcontact/plugin.hpp>
+#include <vector>
 
-#include "contact/surface/step_surface.h"
+#include "contact/surface/points_below.h"
 #include "core/start_terms.h"
 
 namespace rc {
@@ -39,7 +42,7 @@ struct Histogram {
       sum[bin] += other.sum[bin];
     }
   }
-  // With those of all processes.
+  // Adds the histograms of all processes.
   void unite(const Company& company) {
     for (std::vector<double>* const values : {&count, &sum}) {
       const std::vector<double> all = company.joined(*values);
@@ -58,25 +61,27 @@ struct Histogram {
 
 }  // namespace
 
-double StepSurface::bearing_height(double target) const {
-  const double all = full_bed_height(target, static_cast<double>(included_points_), mean_height());
-  double range = highest_ - lowest_;
-  const bool exact_sums = company_.keeps_all_points();  // whole numbers: the bits do not depend on whose rows the points are in
+double bearing_height(double target, const StepSurface& surface) {
+  const SurfacePoints& points = surface.points();
+  const Company& company = points.company();
+  const double all = full_bed_height(target, static_cast<double>(surface.range().included), surface.moments().mean);
+  double range = surface.range().width();
+  const bool exact_sums = company.keeps_all_points();  // whole numbers: the bits do not depend on whose rows the points are in
   if (all >= range) return all;
   // Narrows the range until the bins resolve the answer.
   for (int round = 0;; ++round) {
-    std::vector<Histogram> parts(threaded() ? histograms : 1, Histogram(exact_sums ? fine : range));
-    const auto count = static_cast<std::int64_t>(parts.size()), rows = (ny_ + tile - 1) / tile;
-    roughcontact::for_each(*team_, count, count > 1, [&](std::int64_t part, std::int64_t) {
+    std::vector<Histogram> parts(points.threaded() ? histograms : 1, Histogram(exact_sums ? fine : range));
+    const auto count = static_cast<std::int64_t>(parts.size()), rows = surface.tiles().rows();
+    roughcontact::for_each(points.team(), count, count > 1, [&](std::int64_t part, std::int64_t) {
       for (std::int64_t row = part * rows / count; row < (part + 1) * rows / count; ++row)
-        visit_below(limit_of(range), row, [&](std::int64_t point, std::int64_t, std::int64_t) {
-          const double exact = height(static_cast<std::size_t>(point));
+        visit_below(surface.range().limit_of(range), surface, row, [&](std::int64_t point, std::int64_t, std::int64_t) {
+          const double exact = surface.height(static_cast<std::size_t>(point));
           parts[static_cast<std::size_t>(part)].add(exact_sums ? std::floor(exact / range * fine) : exact);
         });
     });
     for (std::size_t part = 1; part < parts.size(); ++part) parts.front().add(parts[part]);
     if (exact_sums) {
-      parts.front().unite(company_);
+      parts.front().unite(company);
       parts.front().scale(range);
     }
     const double height = parts.front().reach(target);

@@ -10,18 +10,13 @@ namespace rc {
 
 namespace {
 
-constexpr std::int64_t side = StepSurface::tile;
+constexpr std::int64_t side = TileLows::side;
 
 }  // namespace
 
-std::int64_t GatheredTiles::tile_of(std::int64_t point) const {
-  const std::int64_t nx = shared_.nx();
-  return point / nx / side * shared_.tiles_x() + point % nx / side;
-}
-
 double GatheredTiles::gap(std::int64_t point) const {
-  const std::int64_t nx = shared_.nx();
-  const auto tile = first_.find(tile_of(point));
+  const std::int64_t nx = shared_.points().nx();
+  const auto tile = first_.find(shared_.tiles().of(point));
   if (tile == first_.end()) fail(RC_ERR_INTERNAL, "nobody has asked for the tile of point ", point);
   return values_[tile->second + static_cast<std::size_t>(point / nx % side * side + point % nx % side)];
 }
@@ -29,7 +24,7 @@ double GatheredTiles::gap(std::int64_t point) const {
 void GatheredTiles::hold_tiles_of(std::span<const std::int64_t> points) {
   std::vector<std::int64_t> tiles;
   for (const std::int64_t point : points)
-    if (const std::int64_t tile = tile_of(point); tiles.empty() || tiles.back() != tile) tiles.push_back(tile);
+    if (const std::int64_t tile = shared_.tiles().of(point); tiles.empty() || tiles.back() != tile) tiles.push_back(tile);
   std::sort(tiles.begin(), tiles.end());
   tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
   hold(tiles);
@@ -37,8 +32,8 @@ void GatheredTiles::hold_tiles_of(std::span<const std::int64_t> points) {
 
 // Each process gives the rows that it has of the tiles, one tile after the other. A tile may lie in rows of several processes.
 void GatheredTiles::hold(std::span<const std::int64_t> tiles) {
-  const Company& company = shared_.company();
-  const std::int64_t nx = shared_.nx(), columns = shared_.tiles_x();
+  const Company& company = shared_.points().company();
+  const std::int64_t nx = shared_.points().nx(), columns = shared_.tiles().columns();
   std::vector<std::int64_t> wanted;
   for (const std::int64_t tile : tiles)
     if (!first_.contains(tile)) wanted.push_back(tile);

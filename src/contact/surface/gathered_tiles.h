@@ -19,7 +19,6 @@ class GatheredTiles {
   // Gathers the tiles, or those of the points, that are not here yet. All processes give the same ones.
   void hold(std::span<const std::int64_t> tiles);
   void hold_tiles_of(std::span<const std::int64_t> points);
-  std::int64_t tile_of(std::int64_t point) const;
   // At a point of a tile that is here; NaN: it is masked.
   double gap(std::int64_t point) const;
 

@@ -166,6 +166,49 @@ void a_path_is_its_steps() {
     check(of_batch[i] == expected[i % expected.size()], "the loads of a batch are those of a path");
 }
 
+// With `virgin` each step is that of a contact of its own, and the history leaves no indentation.
+void a_virgin_history_presses_the_first_surface() {
+  for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC}) {
+    const Problem problem = yielding(boundary);
+    Field targets, loads(std::size(shares));
+    for (const double share : shares) targets.push_back(share * problem.target);
+    rc_history path = RC_HISTORY_INIT;
+    path.control = problem.control;
+    path.n = static_cast<std::int64_t>(targets.size());
+    path.targets = targets.data();
+    path.undeformed_gap = problem.gap.data();
+    path.load = loads.data();
+    path.virgin = 1;
+    const auto expected = [&](double target, const Field& left) {
+      Problem alone = problem;
+      alone.target = target;
+      for (std::size_t i = 0; i < left.size(); ++i) alone.gap[i] += left[i];
+      return solved(alone, pair).result.load;
+    };
+    for (const std::int32_t warm : {1, 0}) {
+      const Contact contact(problem, pair);
+      path.warm_start = warm;
+      path.undeformed_gap = problem.gap.data();
+      check(rc_contact_solve_history(contact.handle(), &path) == RC_OK, rc_last_error());
+      for (std::size_t i = 0; i < targets.size(); ++i)
+        check_near(loads[i], expected(targets[i], {}), 1e-10 * loads[i], "load of a virgin surface");
+      check_same(indentation_of(contact, problem.points()), Field(problem.points(), 0.0), "indentation");
+
+      // A step before it leaves what all of its steps see; steps after it leave theirs again.
+      check_status(contact.solve(at(problem, 0.9)), RC_OK);
+      const Field left = indentation_of(contact, problem.points());
+      check(largest(left) > 0, "the surface should yield");
+      path.undeformed_gap = nullptr;
+      check(rc_contact_solve_history(contact.handle(), &path) == RC_OK, rc_last_error());
+      for (std::size_t i = 0; i < targets.size(); ++i)
+        check_near(loads[i], expected(targets[i], left), 1e-10 * loads[i], "load of an indented surface");
+      check_same(indentation_of(contact, problem.points()), left, "indentation that was there");
+      check_status(contact.solve(at(problem, 1.1)), RC_OK);
+      check(sum(indentation_of(contact, problem.points())) > sum(left), "a later step leaves an indentation");
+    }
+  }
+}
+
 // Another contact goes on with the same bits.
 void a_restored_history_goes_on() {
   const Problem problem = yielding();
@@ -261,6 +304,7 @@ int main(int argc, char** argv) {
   std::vector<Test> tests = {{"a_surface_given_again_is_the_original", a_surface_given_again_is_the_original},
                              {"what_fails_leaves_nothing", what_fails_leaves_nothing},
                              {"certify_sees_the_indentation", certify_sees_the_indentation},
+                             {"a_virgin_history_presses_the_first_surface", a_virgin_history_presses_the_first_surface},
                              {"a_path_is_its_steps", a_path_is_its_steps},
                              {"a_restored_history_goes_on", a_restored_history_goes_on},
                              {"an_accuracy_goal_indents_the_whole_grid", an_accuracy_goal_indents_the_whole_grid},

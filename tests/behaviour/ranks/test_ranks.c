@@ -225,7 +225,8 @@ static void history(const scene* s) {
   const double shares[steps] = {0.4, 0.8, 1, 0.6};
   const rc_system system = system_of(s);
   rc_mpi_contact* contact = NULL;
-  double targets[steps], loads[steps], stiffness[steps];
+  double targets[steps], loads[steps], stiffness[steps], mean_gap[steps], energy[steps];
+  double lower[steps], upper[steps], less[steps], more[steps];
   int64_t first = 0, count = 0;
   rc_mpi_rows(MPI_COMM_WORLD, &system, &first, &count);
   const rows r = rows_of(s, first, count);
@@ -238,7 +239,15 @@ static void history(const scene* s) {
   path.undeformed_gap = r.gap;
   path.mask = s->mask == whole ? NULL : r.mask;
   path.load = loads;
+  path.mean_gap = mean_gap;
+  path.energy = energy;
   path.stiffness = stiffness;
+  path.load_lower = lower;
+  path.load_upper = upper;
+  if (s->hardness > 0) { /* few scenes: it doubles the solves on the contact set */
+    path.stiffness_lower = less;
+    path.stiffness_upper = more;
+  }
   path.fn = watch;
   path.user = &of;
   check(rc_mpi_contact_create(MPI_COMM_WORLD, &system, NULL, &contact) == RC_OK, s->name, "create");
@@ -247,6 +256,9 @@ static void history(const scene* s) {
   for (int i = 0; i < steps; ++i) {
     check(fabs(loads[i] - targets[i]) <= 1e-7 * targets[i], s->name, "loads");
     check(stiffness[i] > 0, s->name, "stiffness");
+    check(mean_gap[i] > 0 && energy[i] < 0, s->name, "mean gap and energy");
+    check(lower[i] <= loads[i] && loads[i] <= upper[i], s->name, "interval of the load");
+    check(s->hardness == 0 || (less[i] <= stiffness[i] && stiffness[i] <= more[i]), s->name, "interval of the stiffness");
   }
   rc_mpi_contact_destroy(contact);
   free_rows(r);

@@ -3,6 +3,7 @@
 #include <roughcontact/derivatives.h>
 #include <roughcontact/direct.h>
 #include <roughcontact/history.h>
+#include <roughcontact/product.h>
 #include <roughcontact/ranks.h>
 #include <roughcontact/registry.h>
 
@@ -15,6 +16,7 @@ VALUE(RC_STOP_TIME, 102);
 VALUE(RC_STOP_CANCELLED, 103);
 VALUE(RC_STOP_STALLED, 104);
 VALUE(RC_UNCERTIFIED, 105);
+VALUE(RC_OUTSIDE, 106);
 VALUE(RC_ERR_ARGUMENT, -1);
 VALUE(RC_ERR_SHAPE, -2);
 VALUE(RC_ERR_OPTION, -3);
@@ -176,7 +178,7 @@ AT(rc_state, approach_before, 56);
 AT(rc_state, load_before, 64);
 AT(rc_state, indentation, 72);
 
-SIZE(rc_history, 128);
+SIZE(rc_history, 192);
 AT(rc_history, struct_size, 0);
 AT(rc_history, control, 8);
 AT(rc_history, warm_start, 12);
@@ -187,16 +189,24 @@ AT(rc_history, mask, 40);
 AT(rc_history, load, 48);
 AT(rc_history, approach, 56);
 AT(rc_history, contact_area, 64);
-AT(rc_history, stiffness, 72);
-AT(rc_history, certificate, 80);
-AT(rc_history, products, 88);
-AT(rc_history, fn, 96);
-AT(rc_history, user, 104);
-AT(rc_history, completed, 112);
-AT(rc_history, want_gap, 120);
-AT(rc_history, reserved, 124);
+AT(rc_history, mean_gap, 72);
+AT(rc_history, energy, 80);
+AT(rc_history, stiffness, 88);
+AT(rc_history, load_lower, 96);
+AT(rc_history, load_upper, 104);
+AT(rc_history, area_lower, 112);
+AT(rc_history, area_upper, 120);
+AT(rc_history, stiffness_lower, 128);
+AT(rc_history, stiffness_upper, 136);
+AT(rc_history, certificate, 144);
+AT(rc_history, products, 152);
+AT(rc_history, fn, 160);
+AT(rc_history, user, 168);
+AT(rc_history, completed, 176);
+AT(rc_history, want_gap, 184);
+AT(rc_history, virgin, 188);
 
-SIZE(rc_batch, 208);
+SIZE(rc_batch, 272);
 AT(rc_batch, struct_size, 0);
 AT(rc_batch, control, 8);
 AT(rc_batch, warm_start, 12);
@@ -213,17 +223,25 @@ AT(rc_batch, p, 88);
 AT(rc_batch, load, 96);
 AT(rc_batch, approach, 104);
 AT(rc_batch, contact_area, 112);
-AT(rc_batch, stiffness, 120);
-AT(rc_batch, certificate, 128);
-AT(rc_batch, status, 136);
-AT(rc_batch, iterations, 144);
-AT(rc_batch, products, 152);
-AT(rc_batch, fn, 160);
-AT(rc_batch, user, 168);
-AT(rc_batch, written, 176);
-AT(rc_batch, certified, 184);
-AT(rc_batch, first, 192);
-AT(rc_batch, progress, 200);
+AT(rc_batch, mean_gap, 120);
+AT(rc_batch, energy, 128);
+AT(rc_batch, stiffness, 136);
+AT(rc_batch, load_lower, 144);
+AT(rc_batch, load_upper, 152);
+AT(rc_batch, area_lower, 160);
+AT(rc_batch, area_upper, 168);
+AT(rc_batch, stiffness_lower, 176);
+AT(rc_batch, stiffness_upper, 184);
+AT(rc_batch, certificate, 192);
+AT(rc_batch, status, 200);
+AT(rc_batch, iterations, 208);
+AT(rc_batch, products, 216);
+AT(rc_batch, fn, 224);
+AT(rc_batch, user, 232);
+AT(rc_batch, written, 240);
+AT(rc_batch, certified, 248);
+AT(rc_batch, first, 256);
+AT(rc_batch, progress, 264);
 
 SIZE(rc_gradient, 88);
 AT(rc_gradient, struct_size, 0);

@@ -57,6 +57,10 @@ Outcome filled(const Call& c) { return rc_histogram_fill(c.system_given, c.p_giv
 
 Outcome crossed(const Call& c) { return rc_crossing_find(c.system_given, c.p_given, c.mask.data(), c.crossing_given); }
 
+Outcome punched(const Scene& scene, double* stiffness) {
+  return rc_punch_stiffness(&scene.system, nullptr, nullptr, stiffness, nullptr, nullptr);
+}
+
 template <class Spoil> auto one_with(Outcome (*function)(const Call&), const Spoil& spoil) {
   return [=] {
     Call call;
@@ -166,6 +170,39 @@ Section analyses() {
            refused,
            {"rc_histogram_fill: rc_histogram.upper = nan must be finite and >= 0"},
            one_with(filled, [](Call& c) { c.histogram.upper = nan; })},
+          {"`rc_punch_stiffness`: system is null",
+           refused,
+           {"rc_punch_stiffness: rc_system is null"},
+           [] {
+             double stiffness = 0;
+             return rc_punch_stiffness(nullptr, nullptr, nullptr, &stiffness, nullptr, nullptr);
+           }},
+          {"`rc_punch_stiffness`: stiffness is null",
+           refused,
+           {"rc_punch_stiffness: stiffness is null"},
+           [] { return punched(Scene(), nullptr); }},
+          {"`rc_punch_stiffness`: no boundary",
+           refused,
+           {"rc_punch_stiffness: rc_system.boundary is not set"},
+           [] {
+             Scene scene;
+             scene.system.boundary = 0;
+             double stiffness = untouched;
+             const Outcome outcome = punched(scene, &stiffness);
+             assert_true(stiffness == untouched);
+             return outcome;
+           }},
+          {"`rc_punch_stiffness` without options, on a mask without points",
+           RC_OK,
+           {},
+           [] {
+             const Scene scene;
+             const std::vector<std::uint8_t> nowhere(points);
+             double stiffness = untouched;
+             const Outcome outcome = rc_punch_stiffness(&scene.system, nowhere.data(), nullptr, &stiffness, nullptr, nullptr);
+             assert_true(stiffness == 0);
+             return outcome;
+           }},
       }};
 }
 

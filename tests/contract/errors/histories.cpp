@@ -124,6 +124,10 @@ Section paths() {
                refused,
                {"rc_contact_solve_history: rc_history.warm_start = 2 is neither 0 nor 1"},
                path_with(0, [](History& h) { h.path.warm_start = 2; })},
+              {"path with virgin = 2",
+               refused,
+               {"rc_contact_solve_history: rc_history.virgin = 2 is neither 0 nor 1"},
+               path_with(0, [](History& h) { h.path.virgin = 2; })},
               {"path with a target that is NaN",
                refused,
                {"rc_contact_solve_history: rc_history.targets[2] = nan is not finite"},
@@ -191,6 +195,10 @@ Section paths() {
                    return rc_contact_solve_history(c, &path);
                  });
                }},
+              {"path's `fn` asks for points without a place for their number",
+               refused,
+               {"rc_contact_points: n is null"},
+               [] { return from_path([](rc_contact* c) { return rc_contact_points(c, 0, nullptr, nullptr, nullptr); }); }},
               {"`rc_contact_level`: contact is null",
                refused,
                {"rc_contact_level: contact is null"},

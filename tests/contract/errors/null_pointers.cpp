@@ -1,4 +1,5 @@
 #include <roughcontact/plugin.h>
+#include <roughcontact/product.h>
 
 #include "case.h"
 #include "scene.h"
@@ -100,6 +101,19 @@ Section null_pointers() {
            refused,
            {"rc_options_create: out is null"},
            [] { return rc_options_create(nullptr, nullptr); }},
+          {"`rc_options_copy`: options is null",
+           refused,
+           {"rc_options_copy: options is null"},
+           [] {
+             rc_options* copy = reinterpret_cast<rc_options*>(&copy);
+             const Outcome outcome = rc_options_copy(nullptr, &copy);
+             assert_null(copy);
+             return outcome;
+           }},
+          {"`rc_options_copy`: out is null",
+           refused,
+           {"rc_options_copy: out is null"},
+           [] { return with_options([](rc_options* o) { return rc_options_copy(o, nullptr); }); }},
           {"`rc_options_set_int`: options is null",
            refused,
            {"rc_options_set_int: options is null"},
@@ -191,6 +205,24 @@ Section null_pointers() {
            refused,
            {"rc_contact_create: out is null"},
            [] { return rc_contact_create(&scene_of_all().system, nullptr, nullptr); }},
+          {"`rc_product_create`: system is null",
+           refused,
+           {"rc_product_create: rc_system is null"},
+           [] {
+             rc_product* product = nullptr;
+             return rc_product_create(nullptr, nullptr, &product);
+           }},
+          {"`rc_product_create`: out is null",
+           refused,
+           {"rc_product_create: out is null"},
+           [] { return rc_product_create(&scene_of_all().system, nullptr, nullptr); }},
+          {"`rc_product_apply`: product is null",
+           refused,
+           {"rc_product_apply: product is null"},
+           [] {
+             double p = 0, u = 0;
+             return rc_product_apply(nullptr, &p, 1, 1, &u, 1, 1);
+           }},
           {"`rc_contact_set_options`: contact is null",
            refused,
            {"rc_contact_set_options: contact is null"},

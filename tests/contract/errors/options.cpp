@@ -45,6 +45,25 @@ Outcome solves_after_refused_options() {
   return outcome;
 }
 
+// The copy is as the options were, and neither changes with the other.
+Outcome copied() {
+  const OptionsHandle options = options_with({{"tol", "1e-7"}, {"solver", "nnls"}, {"threads", "3"}});
+  rc_options* copy = nullptr;
+  const Outcome outcome = rc_options_copy(options.get(), &copy);
+  const OptionsHandle keep(copy);
+  assert_int_equal(rc_options_set_real(options.get(), "tol", 1e-5), RC_OK);
+  assert_int_equal(rc_options_set_int(copy, "threads", 2), RC_OK);
+  double tol = 0;
+  std::int64_t threads = 0;
+  const char* solver = nullptr;
+  assert_int_equal(rc_options_get_real(copy, "tol", &tol), RC_OK);
+  assert_int_equal(rc_options_get_text(copy, "solver", &solver), RC_OK);
+  assert_int_equal(rc_options_get_int(options.get(), "threads", &threads), RC_OK);
+  assert_true(tol == 1e-7 && threads == 3);
+  assert_string_equal(solver, "nnls");
+  return outcome;
+}
+
 Outcome options_of_another_context() {
   const Scene scene;
   const ContactHandle contact = made(scene);
@@ -171,6 +190,7 @@ Section options() {
            {"rc_contact_set_options: certify_backend = callback: this backend cannot do free boundaries"},
            changed_later("certify_backend", "callback")},
           {"solving after options were refused", RC_OK, {}, solves_after_refused_options},
+          {"`rc_options_copy`: one of the two is changed", RC_OK, {}, copied},
           {"options of another context",
            refused,
            {"rc_contact_set_options: these options belong to another context"},

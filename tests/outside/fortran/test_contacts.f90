@@ -54,8 +54,9 @@ contains
     type(rc_result) :: low, high
     type(rc_gradient) :: gradient
     type(rc_tangent) :: tangent
-    type(c_ptr) :: options
-    real(c_double) :: by_gap(nx, ny), dp(nx, ny), conductance, lower, upper
+    type(c_ptr) :: options, copy
+    integer(c_int64_t) :: level
+    real(c_double) :: by_gap(nx, ny), dp(nx, ny), conductance, lower, upper, punch
     real(c_double), parameter :: step = 1e-6_c_double
     call rcf_options_create(options)
     call rcf_options_set_real(options, 'tol', 1e-12_c_double)
@@ -84,6 +85,18 @@ contains
       conductance <= upper * 1.000001_c_double .and. abs(conductance - high%stiffness / 6) < 1e-12 * conductance)
     call rcf_conductance(system, high, -1.0_c_double, 3.0_c_double, conductance, stat=stat)
     call check('a negative resistivity', stat == RC_ERR_ARGUMENT)
+    call rcf_options_copy(options, copy)
+    call rcf_options_set_int(options, 'stiffness', 0)
+    call rcf_options_get_int(copy, 'stiffness', level)
+    call check('a copy of options keeps its values', level == 2)
+    call rcf_contact_solve(contact, approach=0.4_c_double, p=p, result=high)
+    call rcf_punch_stiffness(system, punch, p > 0, lower, upper, copy)
+    call check('a punch on the contact set', abs(punch / high%stiffness - 1) < 1e-8 .and. lower <= punch .and. punch <= upper)
+    call rcf_punch_stiffness(system, conductance, options=copy)
+    call check('a punch on all points', conductance > punch)
+    call rcf_punch_stiffness(system, punch, p(1:2, :) > 0, stat=stat)
+    call check('shape of the punch', stat == RC_ERR_SHAPE)
+    call rcf_options_destroy(copy)
     call rcf_contact_destroy(contact)
     call rcf_options_destroy(options)
   end subroutine
@@ -189,6 +202,7 @@ contains
   subroutine paths()
     type(rcf_contact) :: contact
     real(c_double) :: approaches(4), load(4), area(4), certificate(4)
+    real(c_double), dimension(4) :: mean_gap, energy, lower, upper, stiffness, less, more
     integer(c_int64_t) :: products(4)
     integer :: completed
     integer, target :: seen
@@ -198,6 +212,10 @@ contains
     call rcf_contact_solve_history(contact, approaches, undeformed_gap=gap, load=load, contact_area=area, certificate=certificate, &
       products=products, completed=completed)
     call check('a history', completed == 4 .and. load(2) > load(3) .and. all(certificate < 1e-8) .and. all(products > 0))
+    call rcf_contact_solve_history(contact, approaches, load=load, mean_gap=mean_gap, energy=energy, load_lower=lower, &
+      load_upper=upper, stiffness=stiffness, stiffness_lower=less, stiffness_upper=more, virgin=.true.)
+    call check('intervals of a history', all(lower <= load .and. load <= upper .and. less <= stiffness .and. stiffness <= more))
+    call check('mean gap and energy of a history', mean_gap(2) < mean_gap(3) .and. energy(2) < energy(3))
     seen = 0
     fn = c_funloc(second_is_enough)
     call rcf_contact_solve_history(contact, loads=load, fn=fn, user=c_loc(seen), completed=completed, stat=stat)
@@ -279,7 +297,7 @@ contains
   end subroutine
 
   subroutine batches()
-    real(c_double) :: gaps(nx, ny, 3), approaches(2, 1), load(2, 3), all_p(nx, ny, 3)
+    real(c_double) :: gaps(nx, ny, 3), approaches(2, 1), load(2, 3), lower(2, 3), upper(2, 3), all_p(nx, ny, 3)
     integer(rc_status) :: statuses(2, 3)
     integer(c_int64_t) :: iterations(2, 3)
     type(rc_result) :: alone
@@ -290,9 +308,10 @@ contains
       gaps(:, :, k) = rcf_gap_from_heights(k * z)
     end do
     approaches(:, 1) = [0.2_c_double, 0.4_c_double]
-    call rcf_batch_solve(system, gaps, approaches, p=all_p, load=load, status=statuses, iterations=iterations, &
-      certified=certified, first=first)
+    call rcf_batch_solve(system, gaps, approaches, p=all_p, load=load, load_lower=lower, load_upper=upper, &
+      status=statuses, iterations=iterations, certified=certified, first=first)
     call check('a batch', certified == 3 .and. first == 0 .and. all(statuses == RC_OK) .and. all(iterations > 0))
+    call check('intervals of a batch', all(lower <= load .and. load <= upper))
     progress = c_funloc(half_is_enough)
     call rcf_batch_solve(system, gaps, approaches, certified=certified, progress=progress, user=c_loc(seen), stat=stat)
     call check('ended by progress', stat == RC_STOP_CANCELLED .and. seen == 3 .and. certified == 1)

@@ -89,3 +89,29 @@ def test_conductance_and_its_interval(pressed):
     assert found.upper - found.lower < 0.01 * found.value
     refused(rc.ArgumentError, "rho1", result.conductance, -1.0, 1.0)
     refused(rc.ArgumentError, "stiffness", answer(system, gap, control, target).conductance, 1.0, 1.0)
+
+
+def test_punch_on_given_points(pressed):
+    system, gap, control, target = pressed
+    result = rc.solve(undeformed_gap=gap, system=system, options={"stiffness": 1}, **{control: target})
+    found = rc.analysis.punch_stiffness(system, result.pressure > 0, options=OPTIONS)
+    assert found.value == pytest.approx(result.stiffness, rel=1e-7) and found.lower <= found.value <= found.upper
+    nowhere = rc.analysis.punch_stiffness(system, np.zeros(SHAPE, bool))
+    assert rc.analysis.punch_stiffness(system).value > found.value > nowhere.value == 0
+    periodic = rc.HalfSpace(SHAPE, pitch=1.0, modulus=2.0, boundary="periodic")
+    assert rc.analysis.punch_stiffness(periodic).value == np.inf
+    refused(rc.ShapeError, "mask has shape", rc.analysis.punch_stiffness, system, np.ones((2, 2), bool))
+
+
+def test_punch_of_an_own_product(small_matrix):
+    exact = np.linalg.inv(small_matrix[:5, :5]).sum()
+    mask = np.arange(12) < 5
+    matrix, product = rc.Matrix(small_matrix, pitch=1.0), rc.Product(small_matrix.dot, 12, pitch=1.0)
+    assert rc.analysis.punch_stiffness(matrix, mask).value == pytest.approx(exact, rel=1e-12)
+    assert rc.analysis.punch_stiffness(product, mask).value == pytest.approx(exact, rel=1e-8)
+
+    def fails(x):
+        raise KeyError("mine")
+
+    with pytest.raises(KeyError, match="mine"):
+        rc.analysis.punch_stiffness(rc.Product(fails, 12, pitch=1.0), mask)

@@ -35,6 +35,17 @@ def test_histories_keep_the_indentation(rough):
         assert not contact.indentation().any()
 
 
+def test_a_virgin_history_keeps_none(rough):
+    targets = [6e-8, 1.1e-7, 5e-8]
+    history = rc.history(rough, **HOW, approach=targets, virgin=True)
+    alone = [rc.solve(rough, **HOW, approach=target).load for target in targets]
+    assert np.allclose(history.load, alone, rtol=1e-6) and history.capped[1] > 0
+    assert rc.history(rough, **HOW, approach=targets).load[2] < 0.99 * alone[2]
+    with rc.Contact(rc.HalfSpace.under(rough, **HOW)) as contact:
+        contact.history(rough, approach=targets, virgin=True)
+        assert not contact.indentation().any()
+
+
 def test_own_operators(small_matrix):
     gap, how = np.linspace(0, 1, 12), {"pitch": 1.0, "hardness": 0.1}
     matrix = rc.solve(undeformed_gap=gap, system=rc.Matrix(small_matrix, **how), approach=1)

@@ -40,10 +40,7 @@ AccuracyGoal::AccuracyGoal() = default;
 AccuracyGoal::~AccuracyGoal() = default;
 
 void AccuracyGoal::forget() {
-  for (const Grid& grid : grids_) {
-    grid.contact->forget_steps();
-    grid.contact->forget_operators();
-  }
+  for (const Grid& grid : grids_) grid.contact->forget(Forgotten::steps);
   surface_ = -1;
 }
 
@@ -64,7 +61,7 @@ void AccuracyGoal::halve(GridContact& given) {
     grids_[k].surface = std::move(next);
     finer = &grids_[k].contact->problem();
   }
-  surface_ = given.surfaces();
+  surface_ = given.memory().surfaces;
 }
 
 rc_status AccuracyGoal::solve_on(std::size_t k, const GridProblem& given, const Step& step, const Monitor& monitor,
@@ -75,7 +72,7 @@ rc_status AccuracyGoal::solve_on(std::size_t k, const GridProblem& given, const 
   // difference() and look() need the stiffness.
   if (step.target.by_load()) options.set(RC_OPT_STIFFNESS, std::int64_t{1});
   contact.problem().set_options(options);
-  contact.watched_by(monitor, true);
+  contact.watcher().progress = reported_by(monitor);
   rc_step on_grid = RC_STEP_INIT;
   on_grid.control = step.target.control;
   on_grid.target = step.target.value;
@@ -94,7 +91,7 @@ AccuracyGoal::Found AccuracyGoal::from_coarse_to_fine(GridContact& given, const 
   for (Grid& grid : grids_) grid.numbers = {};
   const double goal = given.problem().goal.error, lowest = given.problem().surface.lowest();
   try {
-    if (surface_ != given.surfaces()) halve(given);
+    if (surface_ != given.memory().surfaces) halve(given);
   } catch (const Error&) {
     return {};  // a coarser grid's gaps or cells are beyond double precision
   }

@@ -65,7 +65,8 @@ std::optional<Numbers> AccuracyGoal::look(GridContact& given, const Step& step, 
   // Prescribes the coarser grid's approach in load control, too: the error of the load that belongs to it is what counts.
   const Step at{{RC_CONTROL_APPROACH, found.estimate->approach}, {}, false, look_steps};
   found.status = RC_OK;
-  if (system.periodic() && surface.whole() && at.target.value >= surface.mean()) return std::nullopt;  // no load belongs to it
+  const auto mean_gap = [&] { return surface.lowest() + surface.moments().mean; };
+  if (system.periodic() && surface.range().whole && at.target.value >= mean_gap()) return std::nullopt;  // no load belongs to it
   Answer answer;
   Deflected corrected;
   std::vector<double> kept;

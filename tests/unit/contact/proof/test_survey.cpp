@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact/proof/survey.h"
+#include "contact/surface/points_below.h"
 #include "core/thread_team.h"
 #include "support/cmocka.hpp"
 
@@ -88,7 +89,7 @@ void points_below_a_limit_are_all_that_are(void**) {
       std::vector<std::int64_t> plain;
       for (std::size_t i = 0; i < given.gap.size(); ++i)
         if (given.gap[i] < limit && (!masked || given.mask[i] != 0)) plain.push_back(static_cast<std::int64_t>(i));
-      const TrialSet found = surface.below(limit);
+      const TrialSet found = points_below(limit, surface);
       assert_int_equal(found.n, static_cast<std::int64_t>(plain.size()));
       if (found.n < nx * ny) assert_true(found.index == plain);
     }
