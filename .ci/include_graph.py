@@ -7,7 +7,7 @@ import pathlib
 import re
 import sys
 
-CONTACT = {f'roughcontact/{name}.h' for name in ('roughcontact', 'history', 'derivatives', 'direct', 'analysis', 'ranks', 'registry')}
+CONTACT = {f'roughcontact/{name}.h' for name in ('roughcontact', 'history', 'derivatives', 'direct', 'product', 'analysis', 'law', 'ranks', 'registry')}
 PUBLIC = CONTACT | {f'roughcontact/{name}' for name in ('mpi.h', 'plugin.h', 'surface.h', 'formats.h', 'plugin.hpp')}
 HAAR_CG = {f'solvers/haar_cg{part}' for part in ('', '/iteration', '/tree', '/near')}
 STEP = {f'contact{part}' for part in ('', '/surface', '/memory', '/sparse', '/proof', '/step')}
@@ -37,7 +37,8 @@ LAYERS = {  # folder under src: folders it may include, each without the folders
     'contact/grids': {*STEP, 'contact/grids', 'grid', 'core'},
     'contact/grids/goal': {*STEP, 'contact/grids/goal', 'contact/grids', 'core'},
     'contact/calls': {*STEP, 'contact/calls', 'contact/grids/goal', 'contact/grids', 'contact/slopes', 'registry', 'core'},
-    'abi': {'abi', 'analysis', 'contact', 'contact/calls', 'contact/surface', 'solvers', 'operator', 'registry', 'kernel', 'core'},
+    'law': {'law', 'core', 'platform'},  # and contacts through the public headers
+    'abi': {'abi', 'analysis', 'law', 'contact', 'contact/calls', 'contact/surface', 'solvers', 'operator', 'registry', 'kernel', 'core'},
 }
 OUTSIDE = {  # other folders: public headers they may include; besides, their own files and those of dependencies
     'backends': {'roughcontact/plugin.h', 'roughcontact/plugin.hpp'},  # and backends/common, which includes no backend
@@ -48,6 +49,7 @@ OUTSIDE = {  # other folders: public headers they may include; besides, their ow
     'formats': {'roughcontact/roughcontact.h', 'roughcontact/formats.h'},
     'fuzz': CONTACT | {'roughcontact/surface.h', 'roughcontact/formats.h'},
     'examples': PUBLIC,
+    'integrations': PUBLIC,
 }
 # What a folder outside src takes from it: headers alone, but for grid, platform, core/text.h and HAAR.
 # The parts of haar-cg that need no other part of the library: plugins that run its iteration on a machine of their own compile them.
@@ -56,7 +58,8 @@ HAAR = {'solvers/problem.h', 'solvers/haar_cg/iteration/iteration.h', 'solvers/h
 BESIDE = {'core', 'abi/own_guard.h', 'abi/sized_struct.h'}
 BORROWED = {'surface': BESIDE | {'grid'}, 'formats': BESIDE | {'platform'}, 'tools': {'core/text.h', 'platform'}, 'backends': {'platform', 'core/certificate_terms.h', 'core/start_terms.h'} | HAAR}
 WITHIN = {('cuda_host', 'cuda/tables.h')}  # one plugin, built twice
-EXCEPTIONS = {('src/registry/builtin.cpp.in', 'backends/known.def')}  # a list of names
+EXCEPTIONS = {('src/registry/builtin.cpp.in', 'backends/known.def'),  # a list of names
+              ('src/law/table.c', 'table.h')}  # compiled by programs without this tree
 
 
 def layer(path):

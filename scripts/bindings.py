@@ -27,7 +27,7 @@ except ImportError as missing:
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 # What a program includes to use each library. Headers that these include are read as well; the first library has them.
 HEADERS = {
-    "contact": [f"roughcontact/{name}.h" for name in ("roughcontact", "history", "derivatives", "direct", "product", "analysis", "registry")],
+    "contact": [f"roughcontact/{name}.h" for name in ("roughcontact", "history", "derivatives", "direct", "product", "analysis", "law", "registry")],
     "surface": ["roughcontact/surface.h"],
     "formats": ["roughcontact/formats.h"],
     "mpi": ["roughcontact/mpi.h"],
@@ -44,6 +44,9 @@ SCALARS = {
     "rc_contact_points": "n",
     "rc_conductance": "conductance lower upper",
     "rc_punch_stiffness": "stiffness lower upper",
+    "rc_law_pressure": "p slope energy",
+    "rc_law_overclosure": "x",
+    "rc_law_gap_conductance": "conductance",
     "rc_surface_psd": "count",
     "rc_mpi_rows_f": "first count",
 }
@@ -54,6 +57,8 @@ OPTIONAL = {
     "rc_contact_points": "index p",
     "rc_conductance": "lower upper",
     "rc_punch_stiffness": "lower upper",
+    "rc_law_pressure": "slope energy",
+    "rc_law_pressures": "p slope energy",
     **dict.fromkeys(("rc_greedy", "rc_polonsky_keer", "rc_nnls", "rc_gp", "rc_admm"), "w result"),
     "rc_cmr": "inner result",
     "rc_surface_psd": "q psd modes",

@@ -11,7 +11,7 @@ python=$("$root/scripts/docs-venv.sh" "$build")
 site=$build/site
 rm -rf "$site"
 mkdir -p "$site/source"
-cp -r "$root"/*.md "$root"/CITATION.cff "$root"/{backends,docs,examples,fuzz,include,packaging,src} "$site/source"
+cp -r "$root"/*.md "$root"/CITATION.cff "$root"/{backends,docs,examples,fuzz,include,integrations,packaging,src} "$site/source"
 "$root/scripts/reference.sh" "$site/doxygen" >/dev/null
 export PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$root/bindings/python ROUGHCONTACT_LIBRARY=$build/lib/libroughcontact.so
 export RC_DOXYGEN_XML=$site/doxygen/xml

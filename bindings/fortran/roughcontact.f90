@@ -12,6 +12,7 @@ module roughcontact
   use roughcontact_derivatives
   use roughcontact_direct
   use roughcontact_products
+  use roughcontact_laws
   use roughcontact_analysis
   implicit none
 end module

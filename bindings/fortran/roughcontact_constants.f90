@@ -16,6 +16,9 @@ module roughcontact_constants
   integer(c_int32_t), parameter :: RC_BOUNDARY_FREE = 1, RC_BOUNDARY_PERIODIC = 2
   integer(c_int32_t), parameter :: RC_CONTROL_APPROACH = 1, RC_CONTROL_LOAD = 2
   integer(c_int32_t), parameter :: RC_BATCH_SHARED = -1
+  integer(c_int32_t), parameter :: RC_LAW_BULK_AUTO = 0, RC_LAW_BULK_NONE = 1, RC_LAW_BULK_GIVEN = 2, RC_LAW_BULK_MEAN = 3
+  integer(c_int32_t), parameter :: RC_LAW_CONVEX = 1, RC_LAW_SLOPES = 2, RC_LAW_MONOTONE = 3
+  integer(c_int32_t), parameter :: RC_LAW_CSV = 1, RC_LAW_CALCULIX = 2, RC_LAW_ABAQUS = 3, RC_LAW_MOOSE = 4, RC_LAW_TABLE = 5
   integer(c_int32_t), parameter :: RC_LOG_INFO = 1, RC_LOG_WARNING = 2
   integer(c_int32_t), parameter :: RC_CONTEXT_NO_PLUGINS = 1, RC_CONTEXT_NO_ENVIRONMENT = 2
   integer(c_int32_t), parameter :: RC_TYPE_INT = 1, RC_TYPE_REAL = 2, RC_TYPE_TEXT = 3

@@ -210,6 +210,68 @@ module roughcontact_functions
       real(c_double), intent(inout) :: stiffness
       real(c_double), intent(inout), optional :: lower, upper
     end function
+    integer(rc_status) function rc_law_create(system, options, spec, out) bind(c); import
+      type(rc_system), intent(in) :: system
+      type(c_ptr), value :: options
+      type(rc_law_spec), intent(in) :: spec
+      type(c_ptr), intent(inout) :: out
+    end function
+    subroutine rc_law_destroy(law) bind(c); import
+      type(c_ptr), value :: law
+    end subroutine
+    integer(rc_status) function rc_law_describe(law, out) bind(c); import
+      type(c_ptr), value :: law
+      type(rc_law_info), intent(inout) :: out
+    end function
+    integer(rc_status) function rc_law_describe_node(law, i, out) bind(c); import
+      type(c_ptr), value :: law
+      integer(c_int64_t), value :: i
+      type(rc_law_node), intent(inout) :: out
+    end function
+    integer(rc_status) function rc_law_pressure(law, x, p, slope, energy) bind(c); import
+      type(c_ptr), value :: law
+      real(c_double), value :: x
+      real(c_double), intent(inout) :: p
+      real(c_double), intent(inout), optional :: slope, energy
+    end function
+    integer(rc_status) function rc_law_pressures(law, n, x, p, slope, energy) bind(c); import
+      type(c_ptr), value :: law
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: x(*)
+      real(c_double), intent(inout), optional :: p(*), slope(*), energy(*)
+    end function
+    integer(rc_status) function rc_law_overclosure(law, p, x) bind(c); import
+      type(c_ptr), value :: law
+      real(c_double), value :: p
+      real(c_double), intent(inout) :: x
+    end function
+    integer(rc_status) function rc_law_gap_conductance(law, p, rho1, rho2, conductance) bind(c); import
+      type(c_ptr), value :: law
+      real(c_double), value :: p, rho1, rho2
+      real(c_double), intent(inout) :: conductance
+    end function
+    integer(rc_status) function rc_law_evaluate(law, x, out) bind(c); import
+      type(c_ptr), value :: law
+      real(c_double), value :: x
+      type(rc_law_point), intent(inout) :: out
+    end function
+    integer(rc_status) function rc_law_save(law, path) bind(c); import
+      type(c_ptr), value :: law
+      character(kind=c_char), intent(in) :: path(*)
+    end function
+    integer(rc_status) function rc_law_load(path, out) bind(c); import
+      character(kind=c_char), intent(in) :: path(*)
+      type(c_ptr), intent(inout) :: out
+    end function
+    integer(rc_status) function rc_law_export(law, path, spec) bind(c); import
+      type(c_ptr), value :: law
+      character(kind=c_char), intent(in) :: path(*)
+      type(rc_law_export_spec), intent(inout) :: spec
+    end function
+    integer(rc_status) function rc_law_open(name, path, out) bind(c); import
+      character(kind=c_char), intent(in) :: name(*), path(*)
+      type(c_ptr), intent(inout) :: out
+    end function
     integer(rc_status) function rc_context_create(config, out) bind(c); import
       type(rc_context_config), intent(in), optional :: config
       type(c_ptr), intent(inout) :: out

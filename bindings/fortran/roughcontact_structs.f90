@@ -194,6 +194,45 @@ module roughcontact_structs
     integer(c_int32_t) :: contact_x = 0, contact_y = 0, gap_x = 0, gap_y = 0
   end type
 
+  type, bind(c) :: rc_law_spec
+    integer(c_size_t) :: struct_size = merge(88, 76, c_intptr_t == 8)
+    type(c_ptr) :: undeformed_gap = c_null_ptr  ! const double *
+    type(c_ptr) :: mask = c_null_ptr  ! const uint8_t *
+    real(c_double) :: area = 0, p_lower = 0, p_upper = 0, tolerance = 0.001_c_double, tolerance_conductance = 0
+    integer(c_int32_t) :: bulk = 0, reserved = 0
+    real(c_double) :: bulk_stiffness = 0
+    integer(c_int64_t) :: max_nodes = 0
+  end type
+
+  type, bind(c) :: rc_law_info
+    integer(c_size_t) :: struct_size = merge(144, 140, c_intptr_t == 8)
+    integer(c_int64_t) :: nodes = 0, solves = 0
+    real(c_double) :: seconds = 0
+    integer(c_int32_t) :: bounds = 0, bulk = 0
+    real(c_double) :: width = 0, width_conductance = 0, width_area = 0, energy_error = 0, modulus = 0, hardness = 0, area = 0, &
+      bulk_stiffness = 0, mean_gap = 0, x_lower = 0, x_upper = 0, p_lower = 0, p_upper = 0
+  end type
+
+  type, bind(c) :: rc_law_node
+    integer(c_size_t) :: struct_size = merge(120, 116, c_intptr_t == 8)
+    real(c_double) :: x = 0, p = 0, p_lower = 0, p_upper = 0, slope = 0, slope_lower = 0, slope_upper = 0, energy = 0, &
+      area_fraction = 0, area_lower = 0, area_upper = 0, between_lower = 0, between_upper = 0
+    integer(c_int32_t) :: bounds = 0, reserved = 0
+  end type
+
+  type, bind(c) :: rc_law_point
+    integer(c_size_t) :: struct_size = merge(104, 100, c_intptr_t == 8)
+    real(c_double) :: x = 0, p = 0, p_lower = 0, p_upper = 0, slope = 0, energy = 0, area_fraction = 0, area_lower = 0, &
+      area_upper = 0, conductance = 0, conductance_lower = 0, conductance_upper = 0
+  end type
+
+  type, bind(c) :: rc_law_export_spec
+    integer(c_size_t) :: struct_size = merge(72, 68, c_intptr_t == 8)
+    integer(c_int32_t) :: format = 0, reserved = 0
+    integer(c_int64_t) :: rows = 0
+    real(c_double) :: rho1 = 0, rho2 = 0, length = 0, force = 0, beyond = 0, error = 0
+  end type
+
   type, bind(c) :: rc_context_config
     integer(c_size_t) :: struct_size = merge(40, 24, c_intptr_t == 8)
     integer(c_int32_t) :: flags = 0, reserved = 0

@@ -63,9 +63,12 @@ docs/python
 docs/fortran
 docs/octave
 docs/fem
+integrations/README
+integrations/mirco/README
 docs/surface-files
 docs/surfaces
 docs/derivatives
+docs/law
 docs/speed-accuracy
 docs/plugins
 docs/device

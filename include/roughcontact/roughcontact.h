@@ -14,6 +14,7 @@
  *     history.h    loading histories, batches of contacts, restarts, coarse solutions
  *     derivatives.h  gradients and tangents of a step
  *     analysis.h   area, patches, pressures and conductance of a contact
+ *     law.h        contact laws: tables that are proven between their nodes
  *     direct.h     the paper's algorithms on a matrix, one call each
  *     registry.h   contexts, the components and options there are
  *     plugin.h     backends and solvers of your own           surface.h   generated surfaces, spectra (a library of its own)

@@ -1,10 +1,11 @@
 // rc_product_*
+#include "contact/calls/product.h"
+
 #include <roughcontact/product.h>
 
 #include "abi/guard.h"
 #include "abi/handles.h"
 #include "abi/sized_struct.h"
-#include "contact/calls/product.h"
 
 struct rc_product {
   rc::Product product;

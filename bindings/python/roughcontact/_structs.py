@@ -135,6 +135,39 @@ class rc_crossing(Sized):
     members = "size_t struct_size; int32_t contact_x contact_y gap_x gap_y"
 
 
+@struct
+class rc_law_spec(Sized):
+    members = """size_t struct_size; doubles undeformed_gap; bytes_ mask;
+    double area p_lower p_upper tolerance=0.001 tolerance_conductance; int32_t bulk reserved;
+    double bulk_stiffness; int64_t max_nodes"""
+
+
+@struct
+class rc_law_info(Sized):
+    members = """size_t struct_size; int64_t nodes solves; double seconds; int32_t bounds bulk;
+    double width width_conductance width_area energy_error modulus hardness area bulk_stiffness mean_gap;
+    double x_lower x_upper p_lower p_upper"""
+
+
+@struct
+class rc_law_node(Sized):
+    members = """size_t struct_size;
+    double x p p_lower p_upper slope slope_lower slope_upper energy area_fraction area_lower area_upper;
+    double between_lower between_upper; int32_t bounds reserved"""
+
+
+@struct
+class rc_law_point(Sized):
+    members = """size_t struct_size;
+    double x p p_lower p_upper slope energy area_fraction area_lower area_upper conductance conductance_lower;
+    double conductance_upper"""
+
+
+@struct
+class rc_law_export_spec(Sized):
+    members = "size_t struct_size; int32_t format reserved; int64_t rows; double rho1 rho2 length force beyond error"
+
+
 rc_log_fn = callback(None, int32_t, text, handle)
 
 

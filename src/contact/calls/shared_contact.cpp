@@ -37,7 +37,7 @@ const rc_system& checked(const rc_system& system, const rc_options& options) {
 }
 
 // A rank without rows gives no arrays; this stands for them and is neither read nor written.
-double stand_in = 0;
+const double stand_in = 0;
 
 // The types of the arrays that rank 0, which has rows, gives.
 struct Given {
@@ -49,7 +49,7 @@ void stand_in_for(const Given& given, rc_step& step, Outputs& outputs) {
   const auto put = [](auto& array, std::int32_t type) {
     array = {};
     if (type == Given::none) return;
-    array.data = &stand_in;
+    array.data = const_cast<double*>(&stand_in);
     array.type = type;
   };
   put(step.undeformed_gap, given.gap);

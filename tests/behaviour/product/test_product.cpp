@@ -119,8 +119,8 @@ int main(int argc, char** argv) {
   std::vector<Test> tests{{"pressures_and_deflections_in_any_memory_order", in_any_order},
                           {"a_matrix_and_a_function", of_a_matrix},
                           {"bad_calls_are_refused", refusals}};
-  for (const auto& [boundary, kernels] : {std::pair{RC_BOUNDARY_FREE, std::vector<std::string>{"love", "eq9", "galerkin"}},
-                                          {RC_BOUNDARY_PERIODIC, {"spectral"}}})
+  for (const auto& [boundary, kernels] :
+       {std::pair{RC_BOUNDARY_FREE, std::vector<std::string>{"love", "eq9", "galerkin"}}, {RC_BOUNDARY_PERIODIC, {"spectral"}}})
     for (const std::string& kernel : kernels)
       for (const std::string backend : {"fft", "dense"}) {
         const std::int32_t at = boundary;

@@ -12,7 +12,7 @@ import sys
 import tempfile
 
 OF_C = ("rc_exchange", "rc_ranks_counts")
-HEADERS = ("history", "derivatives", "direct", "analysis", "registry", "surface", "formats")
+HEADERS = ("history", "derivatives", "direct", "analysis", "law", "registry", "surface", "formats")
 PROGRAM = """program layouts
   use roughcontact
   use roughcontact_surface
@@ -41,7 +41,7 @@ end program
 
 def main() -> int:
     source, compiler, libraries, modules = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3], sys.argv[4:]
-    golden = "".join((source / "tests" / "contract" / "abi" / f"golden_{name}.c").read_text() for name in ("contact", "surface", "formats"))
+    golden = "".join((source / "tests" / "contract" / "abi" / f"golden_{name}.c").read_text() for name in ("contact", "law", "surface", "formats"))
     headers = "".join(file.read_text() for file in (source / "include" / "roughcontact").glob("*.h"))
     calls, bodies, structs = [], [], 0
     begun = ["#include <string.h>", *(f"#include <roughcontact/{name}.h>" for name in HEADERS)]

@@ -2,13 +2,14 @@
 
 Usage: commands.py BUILD [--full] [PAGE...]
 
-The blocks of a page run one after another in one shell, in a folder that has the page's own files, a copy of examples/ and a
-measured surface, `surface.gsf`. A block after "`NAME`:" is written to that file before. The next block of the page, if it is `text`,
-is what the commands print; ... in it stands for any text. A comment on the line before a block says where that is not so:
+The blocks of a page run one after another in one shell, in a folder that has the page's own files, copies of examples/ and
+integrations/ and a measured surface, `surface.gsf`. A block after "`NAME`:" is written to that file before. The next block of the
+page, if it is `text`, is what the commands print; ... in it stands for any text. A comment on the line before a block says where that
+is not so:
 
   <!-- not run: REASON -->       it installs packages, builds the tree, takes hours
   <!-- run in full: REASON -->   it takes longer than a test of the middle tier may: with --full alone
-  <!-- needs: NAME ... -->       not run where one of these programs, or python:MODULE, is missing
+  <!-- needs: NAME ... -->       not run where one of these programs, python:MODULE or pkg-config:NAME is missing
 
 Blocks without a language show no commands, but for synopses, with [ and |.
 """
@@ -38,6 +39,8 @@ PROGRAMS = r'(roughcontact|roughcontact-bench|build/bin/\S+|cmake|ctest|cc|gfort
 
 def is_here(name):
     kind, _, module = name.partition(':')
+    if kind == 'pkg-config':
+        return shutil.which(kind) and subprocess.run([kind, '--exists', module]).returncode == 0
     return importlib.util.find_spec(module) if kind == 'python' else shutil.which(name)
 
 
@@ -96,7 +99,8 @@ class Reader:
     def run(self, page, found):
         """What each block printed, and what the shell said where one failed."""
         home = self.scratch / '-'.join(page.relative_to(pages.SOURCE).with_suffix('').parts)
-        shutil.copytree(pages.SOURCE / 'examples', home / 'examples')
+        for folder in ('examples', 'integrations'):
+            shutil.copytree(pages.SOURCE / folder, home / folder)
         (home / 'surface.gsf').write_bytes(stand_ins.gsf(*stand_ins.film(), 'XYUnits = m\nZUnits = m\n'))
         for block in found:
             if block.name and block.language not in ('sh', 'text'):

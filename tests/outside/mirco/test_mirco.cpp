@@ -1,4 +1,5 @@
-// MIRCO::Evaluate against a dense solution of its own: Love's coefficients and Gauss-Seidel sweeps, here in full.
+// MIRCO::Evaluate against a dense solution of its own: Love's coefficients and Gauss-Seidel sweeps, here in full; and against
+// what MIRCO itself finds for its regression tests.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -7,20 +8,35 @@
 #include <string>
 #include <vector>
 
-#include "evaluate.h"
 #include "input.h"
+#include "mirco_evaluate.h"
 #include "support/cmocka.hpp"
 
 namespace {
 
-const char* input_file = nullptr;
+const char *input_file = nullptr, *regression_inputs = nullptr;
 
-struct Heights {
-  const Topography& map;
-  int numRows() const { return static_cast<int>(map.side); }
-  double operator()(int row, int column) const {
-    return map.heights[static_cast<std::size_t>(row) * static_cast<std::size_t>(map.side) + static_cast<std::size_t>(column)];
+// As Kokkos::View<double**, LayoutLeft>: a column after the other, sizes without sign.
+class View {
+ public:
+  explicit View(const MIRCO::Heights& heights) : side_(static_cast<std::size_t>(heights.side)), values_(side_ * side_) {
+    for (std::size_t k = 0; k < values_.size(); ++k) values_[k] = heights.values[k % side_ * side_ + k / side_];
   }
+  std::size_t extent(int) const { return side_; }
+  const double& operator()(int row, int column) const {
+    return values_[static_cast<std::size_t>(column) * side_ + static_cast<std::size_t>(row)];
+  }
+
+ private:
+  std::size_t side_;
+  std::vector<double> values_;
+};
+
+// As Teuchos::SerialDenseMatrix<int, double>.
+struct Matrix {
+  View view;
+  int numRows() const { return static_cast<int>(view.extent(0)); }
+  double operator()(int row, int column) const { return view(row, column); }
 };
 
 // Deflection at (x, y) of unit pressure on a square cell of this side (Love 1929), modulus 1.
@@ -71,31 +87,66 @@ Reference pressed(const std::vector<double>& gap, int side, double pitch, double
 }
 
 void finds_what_a_dense_solution_finds(void**) {
-  const MircoInput input = read_mirco_input(input_file);
-  const Topography& map = input.topography;
-  const int side = static_cast<int>(map.side);
-  const double pitch = input.lateral_length / side, zmax = *std::max_element(map.heights.begin(), map.heights.end());
+  const MIRCO::InputParameters input(input_file);
+  const int side = static_cast<int>(input.topology.side);
+  const double pitch = input.grid_size, zmax = input.topology.highest(), modulus = input.composite_youngs;
   std::vector<double> gap;
-  for (const double z : map.heights) gap.push_back(zmax - z);
-  const double correction = pressed(std::vector<double>(gap.size(), 0.0), side, pitch, input.modulus, 1).force;
+  for (const double z : input.topology.values) gap.push_back(zmax - z);
+  const double correction = pressed(std::vector<double>(gap.size(), 0.0), side, pitch, modulus, 1).force;
+  assert_true(std::abs(input.elastic_compliance_correction / correction - 1) < 1e-9);
 
   // d - F(d) / correction = Delta; the left side grows with d.
   double low = input.delta, high = 4 * input.delta;
   Reference expected;
   for (int step = 0; step < 40; ++step) {
     const double middle = (low + high) / 2;
-    expected = pressed(gap, side, pitch, input.modulus, middle);
+    expected = pressed(gap, side, pitch, modulus, middle);
     (middle - expected.force / correction < input.delta ? low : high) = middle;
   }
   const double area = input.lateral_length * input.lateral_length;
   print_message("mean pressure %.12e, area fraction %.12e, shape factor %.9f\n", expected.force / area,
-                static_cast<double>(expected.contacts) / (side * side), input.lateral_length * input.modulus / correction);
-  for (const bool warm : {false, true}) {
+                static_cast<double>(expected.contacts) / (side * side), input.lateral_length * modulus / correction);
+  const View view(input.topology);
+  const auto agrees = [&](bool warm, const auto& topology, const auto& meshgrid) {
     double pressure = 0, share = 0;
-    MIRCO::Evaluate(pressure, share, input.delta, input.lateral_length, pitch, input.tolerance, input.max_iteration,
-                    input.modulus, warm, correction, Heights{map}, zmax, {}, input.pressure_green_function);
-    assert_true(std::abs(pressure / (expected.force / area) - 1) < 1e-5);
+    MIRCO::Evaluate(pressure, share, input.delta, input.lateral_length, pitch, input.tolerance, input.max_iteration, modulus,
+                    warm, correction, topology, zmax, meshgrid, input.pressure_green_funct_flag);
+    assert_true(std::abs(pressure / (expected.force / area) - 1) < 1e-7);
     assert_true(share == static_cast<double>(expected.contacts) / (side * side));
+  };
+  agrees(false, view, view);
+  agrees(true, Matrix{view}, std::vector<double>());
+}
+
+// MIRCO's shape factor and pressure, both of commit de05a25, the pressure with its tolerance set to 1e-12.
+struct Converged {
+  const char* name;
+  double shape_factor, pressure;
+};
+
+void finds_what_mirco_finds(void**) {
+  constexpr Converged all[] = {
+      {"sup2", 0.8055133886663757, 6.099801301909947e-03},  {"sup5", 0.8517330207256517, 8.716557392396698e-04},
+      {"supN6", 0.8127671025256030, 3.209816849259069e-02}, {"sup6", 0.8583422342031545, 5.947429367525073e-04},
+      {"sup7", 0.8701463093314787, 4.529058901269285e-04},  {"sup9", 0.8684174965138375, 1.181226023160202e-03},
+  };
+  for (const Converged& mirco : all) {
+    MIRCO::InputParameters input(regression_inputs + std::string("/input_") + mirco.name + ".yaml");
+    const double zmax = input.topology.highest(), stiffness = input.lateral_length * input.composite_youngs;
+    double pressure = 0, share = 0;
+    MIRCO::Evaluate(pressure, share, input, zmax, {});
+    const double expected = pressure / input.expected_pressure.value() - 1,
+                 area = share / input.expected_area_fraction.value() - 1;
+    const double factor = stiffness / input.elastic_compliance_correction / mirco.shape_factor - 1;
+    input.elastic_compliance_correction = stiffness / mirco.shape_factor;
+    input.tolerance = 1e-12;
+    MIRCO::Evaluate(pressure, share, input, zmax, {});
+    print_message("%-5s %3d: expected %+.1e, area %+.1e, shape factor %+.1e; converged %+.1e\n", mirco.name,
+                  static_cast<int>(input.topology.side), expected, area, factor, pressure / mirco.pressure - 1);
+    assert_true(std::abs(expected) < 1.5e-2);  // its tolerance of .01 counts the change in the last iteration
+    assert_true(std::abs(area) < 1e-2);
+    assert_true(std::abs(factor) < 1e-8);
+    assert_true(std::abs(pressure / mirco.pressure - 1) < 1e-11);
   }
 }
 
@@ -105,11 +156,11 @@ std::string refusal_of(const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
   assert_true(at != std::string::npos);
   text.replace(at, from.size(), to);
-  char path[] = "mirco-spoilt.xml";
+  char path[] = "mirco-spoilt.yaml";
   std::ofstream(path) << text;
   std::string message = "accepted";
   try {
-    read_mirco_input(path);
+    MIRCO::InputParameters{path};
   } catch (const std::runtime_error& failure) {
     message = failure.what();
   }
@@ -122,25 +173,40 @@ void says_what_is_wrong_with_an_input(void**) {
     const std::string message = refusal_of(from, to);
     if (message.find(part) == std::string::npos) fail_msg("\"%s\" is not in: %s", part, message.c_str());
   };
-  expect("<ParameterList>", "<Parameters>", "no XML can be read");
-  expect("\"E1\"", "\"E9\"", "E1 is missing");
-  expect("value=\"900.0\"", "value=\"wide\"", "LateralLength = \"wide\" is not a number");
-  expect("value=\"9.0\"", "value=\"-9.0\"", "Delta = -9.0 must be positive");
-  expect("\"RandomTopologyFlag\" type=\"bool\" value=\"false\"", "\"RandomTopologyFlag\" type=\"bool\" value=\"true\"",
-         "name it in TopologyFilePath");
+  expect("mirco_input:", "mirco_output:", "there is no mirco_input");
+  expect("E1: 2", "E1: [2", "no YAML can be read, line ");
+  expect("E1: 2", "E9: 2", "E1 is missing");
+  expect("900.0", "wide", "LateralLength = \"wide\" is not a number");
+  expect("Delta: 9.0", "Delta: -9.0", "Delta = -9.0 must be positive");
+  expect("MaxIteration: 50", "MaxIteration: 1.5", "MaxIteration = 1.5 must be a whole number");
+  expect("GreenFunFlag: true", "GreenFunFlag: maybe", "is neither true nor false");
+  expect("RandomTopologyFlag: false", "RandomTopologyFlag: true", "RandomGeneratorSeed is missing");
+  expect("RandomTopologyFlag: false", "RandomTopologyFlag: true\n  RandomSeedFlag: true", "RandomSeedFlag = true");
+  expect("RandomTopologyFlag: false", "ExportVisualization: true", "no VTK files are written");
   expect("heights.dat", "no-such.dat", "no-such.dat: cannot be opened");
-}
-
-void tells_when_the_displacement_is_not_reached(void**) {
-  const MircoInput input = read_mirco_input(input_file);
-  double pressure = -1, share = -1;
   try {
-    MIRCO::Evaluate(pressure, share, input.delta, input.lateral_length, input.lateral_length / 9, 1e-8, 1, input.modulus, true,
-                    1000, Heights{input.topography}, 26, {}, true);
+    MIRCO::InputParameters{"no-such.yaml"};
     fail_msg("accepted");
   } catch (const std::runtime_error& failure) {
-    assert_true(std::string(failure.what()).find("MaxIteration = 1 iterations") != std::string::npos);
+    assert_string_equal(failure.what(), "no-such.yaml: cannot be opened");
   }
+}
+
+void tells_what_it_cannot_do(void**) {
+  MIRCO::InputParameters input(input_file);
+  double pressure = -1, share = -1;
+  const auto refused = [&](const char* part) {
+    try {
+      MIRCO::Evaluate(pressure, share, input, input.topology.highest(), {});
+      fail_msg("accepted");
+    } catch (const std::runtime_error& failure) {
+      assert_true(std::string(failure.what()).find(part) != std::string::npos);
+    }
+  };
+  input.max_iteration = 1;
+  refused("MaxIteration = 1 iterations");
+  input.export_visualization_path = "pictures";
+  refused("no VTK files are written to pictures");
   assert_true(pressure == -1 && share == -1);
 }
 
@@ -148,10 +214,12 @@ void tells_when_the_displacement_is_not_reached(void**) {
 
 int main(int, char** arguments) {
   input_file = arguments[1];
+  regression_inputs = arguments[2];
   const CMUnitTest tests[] = {
       cmocka_unit_test(finds_what_a_dense_solution_finds),
+      cmocka_unit_test(finds_what_mirco_finds),
       cmocka_unit_test(says_what_is_wrong_with_an_input),
-      cmocka_unit_test(tells_when_the_displacement_is_not_reached),
+      cmocka_unit_test(tells_what_it_cannot_do),
   };
   return cmocka_run_group_tests_name("mirco", tests, nullptr, nullptr);
 }

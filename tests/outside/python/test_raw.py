@@ -12,7 +12,7 @@ from roughcontact import raw
 
 GOLDEN = [
     pathlib.Path(__file__).resolve().parents[3] / "tests" / "contract" / "abi" / f"golden_{name}.c"
-    for name in ("contact", "surface", "formats")
+    for name in ("contact", "law", "surface", "formats")
 ]
 STRUCTS = {
     name: each

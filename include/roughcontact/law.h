@@ -1,0 +1,170 @@
+/* roughcontact: the contact law of a rough patch, as a table that is proven between its nodes.
+ *
+ * A law is the nominal pressure p of a rough patch as a function of its overclosure x, with slope, energy, contact area and
+ * conductance. The patch is solved at some tens of nodes; after that no contact problem is solved. A law never changes once it
+ * is made: any number of threads evaluate it at the same time, without locks and without memory of their own.
+ *
+ * Overclosure. x = 0 is first touch of the undeformed bodies, x > 0 brings them nearer. What the half-space below the patch yields
+ * as a whole is not in x, because the mesh of a finite element program yields there already:
+ *   periodic boundaries   x = approach: it is the change of the gap between the mean planes, and nothing is subtracted.
+ *   free boundaries       x = change of the mean gap, or approach - load / (a given stiffness), see rc_law_spec.bulk.
+ *
+ * Bounds. Where the contact sets of two neighbouring nodes are nested, p is convex between them: it lies above both tangents and
+ * below the chord (RC_LAW_CONVEX). With a hardness the slope lies between those of two contact sets (RC_LAW_SLOPES). Otherwise p
+ * is only known to rise from one node to the next (RC_LAW_MONOTONE). That sets grow steadily from one node to the next is checked
+ * at the nodes. Bounds are widened by the intervals that the library proves at the nodes (rc_result.load_lower ..
+ * stiffness_upper). They are about the discrete problem: this grid, this kernel.
+ *
+ * Between the nodes p is a C1 quadratic spline with one knot in each interval, where the tangents meet. It has the nodes' values
+ * and slopes, is convex where they are, and so stays inside the bounds. Only where a node lies on a kink of the exact curve, at
+ * which a point is about to touch, and below p_lower may its slope jump. Its energy is its exact integral.
+ *
+ * A law describes first loading: with a hardness, unloading is another law.
+ */
+#ifndef ROUGHCONTACT_LAW_H
+#define ROUGHCONTACT_LAW_H
+
+#include "roughcontact.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct rc_law rc_law; /* Immutable. Any number of threads.                                                    */
+
+/** @defgroup law Making a law  @{ */
+enum { RC_LAW_BULK_AUTO = 0, RC_LAW_BULK_NONE = 1, RC_LAW_BULK_GIVEN = 2, RC_LAW_BULK_MEAN = 3 };
+enum { RC_LAW_CONVEX = 1, RC_LAW_SLOPES = 2, RC_LAW_MONOTONE = 3 };
+
+/** The patch, and how exact its law has to be. Nothing is kept after the call. */
+typedef struct rc_law_spec {
+  size_t struct_size;
+  const double *undeformed_gap; /* [n] h [length], see rc_gap_from_heights                                            */
+  const uint8_t *mask;   /* [n] as rc_step.mask; NULL: all points                                                     */
+  double area;           /* nominal area that p refers to [length^2]; 0: nx hx ny hy                                  */
+  double p_lower, p_upper; /* the tolerances hold between these nominal pressures [force/length^2], 0 < lower < upper */
+  double tolerance;      /* half the width of the bounds of p, over p: 1e-6 .. 0.1; 1e-3 unless set                   */
+  double tolerance_conductance; /* the same for the conductance, 1e-4 .. 1: more nodes. 0: as it comes (default)      */
+  int32_t bulk;          /* RC_LAW_BULK_*. NONE: x = approach. GIVEN: x = approach - load / bulk_stiffness. MEAN: x = change of
+                            the mean gap. AUTO: MEAN for a half-space with free boundaries, else NONE                 */
+  int32_t reserved;      /* 0                                                                                         */
+  double bulk_stiffness; /* GIVEN: > 0 [force/length]; else 0                                                         */
+  int64_t max_nodes;     /* >= 3; 0: 10000. A law that needs more ends with RC_STOP_MAX_ITER                          */
+} rc_law_spec;
+#define RC_LAW_SPEC_INIT RC_BEGIN_WITH(rc_law_spec, tolerance = 0.001)
+
+/** Solves the nodes. options as rc_contact_create's, or NULL; tol is lowered where the tolerance of the law needs it, and
+ *  stiffness, bounds and accuracy are set. RC_OK: every node is certified, and the bounds of p are within the tolerance from
+ *  p_lower to p_upper. Positive statuses leave a law as well: RC_UNCERTIFIED: the tolerance is met by estimate only, since some
+ *  intervals are RC_LAW_MONOTONE; RC_STOP_MAX_ITER: max_nodes; RC_STOP_STALLED: double precision does not give the tolerance.
+ *  Errors: as rc_contact_create and rc_contact_solve, *out is then NULL; INFEASIBLE if the patch cannot carry p_upper, or is
+ *  closed at it. Any other stop or uncertified node: RC_ERR_NUMERIC. */
+RC_API rc_status rc_law_create(const rc_system *system, const rc_options *options, const rc_law_spec *spec, rc_law **out);
+RC_API void rc_law_destroy(rc_law *law);
+
+/** What a law is. All of it is written. */
+typedef struct rc_law_info {
+  size_t struct_size;
+  int64_t nodes;         /* the origin included                                                                       */
+  int64_t solves;        /* contact problems that were solved                                                         */
+  double seconds;        /* rc_law_create took these; 0 for a law from a file                                         */
+  int32_t bounds;        /* the weakest RC_LAW_* of its intervals between p_lower and p_upper                         */
+  int32_t bulk;          /* RC_LAW_BULK_NONE, _GIVEN or _MEAN                                                         */
+  double width;          /* largest half-width of the bounds of p, over p, between first and last node; intervals that are
+                            RC_LAW_MONOTONE do not count                                                              */
+  double width_conductance; /* the same of the conductance. A slope that jumps, where points touch, keeps it from 0   */
+  double width_area;     /* the same of the contact area                                                              */
+  double energy_error;   /* largest difference between the integral and a node's own energy, over the latter; 0 with MEAN */
+  double modulus, hardness, area, bulk_stiffness; /* as given; the area is never 0                                    */
+  double mean_gap;       /* mean of the undeformed gap over the points that are not masked [length]                   */
+  double x_lower, x_upper, p_lower, p_upper; /* first node after the origin, and last node                            */
+} rc_law_info;
+#define RC_LAW_INFO_INIT RC_BEGIN(rc_law_info)
+RC_API rc_status rc_law_describe(const rc_law *law, rc_law_info *out);
+
+/** One node, as it was solved. All of it is written. */
+typedef struct rc_law_node {
+  size_t struct_size;
+  double x, p, p_lower, p_upper;              /* overclosure [length], nominal pressure at it                         */
+  double slope, slope_lower, slope_upper;     /* dp/dx there [force/length^3]                                         */
+  double energy;                              /* per nominal area [force/length]                                      */
+  double area_fraction, area_lower, area_upper; /* contact area over nominal area                                     */
+  double between_lower, between_upper;        /* the slope between this node and the next, or beyond the last            */
+  int32_t bounds;                             /* RC_LAW_* there                                                       */
+  int32_t reserved;
+} rc_law_node;
+#define RC_LAW_NODE_INIT RC_BEGIN(rc_law_node)
+/** Node i, 0 (the origin) .. rc_law_info.nodes - 1. Errors: ARGUMENT. */
+RC_API rc_status rc_law_describe_node(const rc_law *law, int64_t i, rc_law_node *out);
+/** @} */
+
+/** @defgroup law_evaluation Evaluating a law
+ *  rc_law_pressure, _overclosure, _gap_conductance and _pressures take some 10 to 30 ns. They compute in the calling thread's
+ *  floating-point mode, and set rc_last_error() only if they fail. Beyond the last node p continues on the last tangent, with
+ *  RC_OUTSIDE. Errors: ARGUMENT for NaN.
+ *  @{ */
+/** Pressure, slope and energy at an overclosure; all 0 for x <= 0. slope and energy may be NULL. */
+RC_API rc_status rc_law_pressure(const rc_law *law, double x, double *p, double *slope, double *energy);
+/** n overclosures at a time; output arrays may be NULL. RC_OUTSIDE if any is beyond the last node. */
+RC_API rc_status rc_law_pressures(const rc_law *law, int64_t n, const double *x, double *p, double *slope, double *energy);
+/** The overclosure of a nominal pressure: the inverse. */
+RC_API rc_status rc_law_overclosure(const rc_law *law, double p, double *x);
+/** Electrical or thermal conductance per nominal area at a nominal pressure, 2 slope / (E* (rho1 + rho2)), as rc_conductance.
+ *  Errors: ARGUMENT (also if the system has no modulus). */
+RC_API rc_status rc_law_gap_conductance(const rc_law *law, double p, double rho1, double rho2, double *conductance);
+
+/** All that a law says at one overclosure. All of it is written. */
+typedef struct rc_law_point {
+  size_t struct_size;
+  double x, p, p_lower, p_upper; /* the exact p of the grid lies between these; p_upper infinite beyond the last node  */
+  double slope;          /* dp/dx [force/length^3]                                                                    */
+  double energy;         /* integral of p over x [force/length]                                                       */
+  double area_fraction, area_lower, area_upper; /* contact area over nominal area                                     */
+  double conductance, conductance_lower, conductance_upper; /* 2 slope / E* [1/length], to be divided by rho1 + rho2; NaN if the
+                            system has no modulus                                                                     */
+} rc_law_point;
+#define RC_LAW_POINT_INIT RC_BEGIN(rc_law_point)
+RC_API rc_status rc_law_evaluate(const rc_law *law, double x, rc_law_point *out);
+/** @} */
+
+/** @defgroup law_files Files
+ *  Written to a temporary file beside it, which is then renamed: there is never half a file. Paths are UTF-8.
+ *  @{ */
+/** A text file with every bit of the law and a checksum. Errors: ARGUMENT (the file cannot be written). */
+RC_API rc_status rc_law_save(const rc_law *law, const char *path);
+/** Evaluates to the same bits as the law that was saved. Errors: ARGUMENT (cannot be read, damaged, of a newer version). */
+RC_API rc_status rc_law_load(const char *path, rc_law **out);
+
+enum { RC_LAW_CSV = 1, RC_LAW_CALCULIX = 2, RC_LAW_ABAQUS = 3, RC_LAW_MOOSE = 4, RC_LAW_TABLE = 5 };
+/** A table for a program without user routines. */
+typedef struct rc_law_export_spec {
+  size_t struct_size;
+  int32_t format;        /* RC_LAW_CSV: every column. _CALCULIX, _ABAQUS: cards *SURFACE BEHAVIOR and, if rho1 + rho2 > 0,
+                            *GAP CONDUCTANCE. _MOOSE: overclosure and pressure. _TABLE: the numbers that src/law/table.c
+                            evaluates, in the law's own units                                                         */
+  int32_t reserved;      /* 0                                                                                         */
+  int64_t rows;          /* 5 .. 1000000, CalculiX: .. 200; 0: 200. _TABLE: ignored                                   */
+  double rho1, rho2;     /* resistivities, or reciprocals of conductivities, in units of the deck; both 0: no conductance */
+  double length, force;  /* one unit of the law in units of the deck; 0: 1                                            */
+  double beyond;         /* one more row at this many times the last overclosure, on the last tangent, because these programs
+                            continue with slope 0, from which Newton's method does not return. 0: 100; 1: none. Not CSV */
+  double error;          /* out: the largest distance between straight lines through the rows and the law, over p     */
+} rc_law_export_spec;
+#define RC_LAW_EXPORT_SPEC_INIT RC_BEGIN(rc_law_export_spec)
+/** Numbers have at most 20 characters, which is what such programs read. Errors: ARGUMENT (also: in these units a number is
+ *  beyond double precision; the file cannot be written). */
+RC_API rc_status rc_law_export(const rc_law *law, const char *path, rc_law_export_spec *spec);
+/** @} */
+
+/** @defgroup law_names Laws by name
+ *  For programs whose user routines get a name and no pointer. The names are one list for the whole process.
+ *  @{ */
+/** The law of that name; the first call for a name loads it from path. path NULL: the file name.law in the current folder. The
+ *  law lives until the process ends: it must not be destroyed. Any thread. Errors: as rc_law_load. */
+RC_API rc_status rc_law_open(const char *name, const char *path, const rc_law **out);
+/** @} */
+
+#ifdef __cplusplus
+}
+#endif
+#endif

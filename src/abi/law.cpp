@@ -1,0 +1,194 @@
+// rc_law_*
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+
+#include "abi/guard.h"
+#include "abi/sized_struct.h"
+#include "law/cards.h"
+#include "law/create.h"
+#include "law/law_file.h"
+#include "law/named.h"
+#include "law/table.h"
+#include "law/text_file.h"
+
+struct rc_law {
+  std::unique_ptr<const rc::Law> made;
+};
+
+namespace {
+
+using namespace rc;
+
+const Law& valid(const rc_law* law) {
+  if (!law) fail(RC_ERR_ARGUMENT, "law is null");
+  return *law->made;
+}
+
+rc_law* loaded(const char* path) {
+  const std::string text = read_text(path);
+  try {
+    return new rc_law{law_of(text)};
+  } catch (const Error& error) {
+    fail(error.code(), path, ": ", error.what());
+  }
+}
+
+// The message of an evaluation, which is a number or a missing argument at fault.
+rc_status refused(const char* where, const char* what) {
+  return guard(where, [&]() -> rc_status { fail(RC_ERR_ARGUMENT, what); });
+}
+constexpr const char* null_or_nan = "law or an output is null, or the number is NaN";
+
+}  // namespace
+
+extern "C" {
+
+rc_status rc_law_create(const rc_system* system, const rc_options* options, const rc_law_spec* spec, rc_law** out) {
+  return guard("rc_law_create", [&]() -> rc_status {
+    if (!out) fail(RC_ERR_ARGUMENT, "out is null");
+    *out = nullptr;
+    const rc_system patch = read<rc_system>(system, "rc_system", RC_SYSTEM_INIT);
+    const rc_law_spec wanted = read<rc_law_spec>(spec, "rc_law_spec", RC_LAW_SPEC_INIT);
+    check_reserved(wanted.reserved, "rc_law_spec.reserved");
+    LawMade made = create_law(patch, options, wanted);
+    *out = new rc_law{std::move(made.law)};
+    clear_message();
+    if (made.status > 0) set_message(made.remark.c_str());
+    return made.status;
+  });
+}
+
+void rc_law_destroy(rc_law* law) { delete law; }
+
+rc_status rc_law_describe(const rc_law* law, rc_law_info* out) {
+  return guard("rc_law_describe", [&] {
+    check_size(out, "rc_law_info");
+    write(out, valid(law).info);
+    return RC_OK;
+  });
+}
+
+rc_status rc_law_describe_node(const rc_law* law, int64_t i, rc_law_node* out) {
+  return guard("rc_law_describe_node", [&] {
+    const std::vector<rc_law_node>& nodes = valid(law).nodes;
+    check_size(out, "rc_law_node");
+    if (i < 0 || i >= static_cast<std::int64_t>(nodes.size()))
+      fail(RC_ERR_ARGUMENT, "i = ", i, " is none of ", nodes.size(), " nodes");
+    write(out, nodes[static_cast<std::size_t>(i)]);
+    return RC_OK;
+  });
+}
+
+rc_status rc_law_pressure(const rc_law* law, double x, double* p, double* slope, double* energy) {
+  const int status = law && p ? roughcontact_law_pressure(law->made->table.data(), x, p, slope, energy) : RC_ERR_ARGUMENT;
+  return status >= 0 ? status : refused("rc_law_pressure", null_or_nan);
+}
+
+rc_status rc_law_pressures(const rc_law* law, int64_t n, const double* x, double* p, double* slope, double* energy) {
+  if (!law || !x || n < 0) return refused("rc_law_pressures", "law or x is null, or n < 0");
+  int worst = RC_OK;
+  for (std::int64_t i = 0; i < n; ++i) {
+    double pressure = 0;
+    const int status = roughcontact_law_pressure(law->made->table.data(), x[i], p ? p + i : &pressure,
+                                                 slope ? slope + i : nullptr, energy ? energy + i : nullptr);
+    if (status < 0) return guard("rc_law_pressures", [&]() -> rc_status { fail(RC_ERR_ARGUMENT, "x[", i, "] is NaN"); });
+    worst = std::max(worst, status);
+  }
+  return worst;
+}
+
+rc_status rc_law_overclosure(const rc_law* law, double p, double* x) {
+  const int status = law && x ? roughcontact_law_overclosure(law->made->table.data(), p, x) : RC_ERR_ARGUMENT;
+  return status >= 0 ? status : refused("rc_law_overclosure", null_or_nan);
+}
+
+rc_status rc_law_gap_conductance(const rc_law* law, double p, double rho1, double rho2, double* conductance) {
+  if (!law || !conductance) return refused("rc_law_gap_conductance", null_or_nan);
+  if (!(rho1 >= 0 && rho2 >= 0 && rho1 + rho2 > 0))
+    return refused("rc_law_gap_conductance", "rho1 and rho2 must be >= 0, not both 0");
+  const double scale = law->made->table[3];
+  if (std::isnan(scale)) return refused("rc_law_gap_conductance", "the law's system has no modulus");
+  double slope = 0;
+  const int status = roughcontact_law_slope(law->made->table.data(), p, &slope);
+  if (status < 0) return refused("rc_law_gap_conductance", null_or_nan);
+  *conductance = scale * slope / (rho1 + rho2);
+  return status;
+}
+
+rc_status rc_law_evaluate(const rc_law* law, double x, rc_law_point* out) {
+  rc_law_point point = RC_LAW_POINT_INIT;
+  if (!law || !out || out->struct_size != sizeof point || std::isnan(x)) {
+    const rc_status status = guard("rc_law_evaluate", [&] {
+      valid(law);
+      check_size(out, "rc_law_point");
+      if (std::isnan(x)) fail(RC_ERR_ARGUMENT, "x is NaN");
+      return RC_OK;
+    });
+    if (status != RC_OK) return status;
+  }
+  const std::vector<double>& table = law->made->table;
+  const int status = roughcontact_law_pressure(table.data(), x, &point.p, &point.slope, &point.energy);
+  point.x = x;
+  if (x > 0) {
+    roughcontact_law_bounds bounds{};
+    roughcontact_law_bounds_at(table.data(), x, point.p, &bounds);
+    point.p_lower = bounds.p_lower;
+    point.p_upper = bounds.p_upper;
+    point.area_fraction = bounds.area;
+    point.area_lower = bounds.area_lower;
+    point.area_upper = bounds.area_upper;
+    point.conductance_lower = table[3] * bounds.slope_lower;
+    const bool unbounded = bounds.slope_upper >= std::numeric_limits<double>::max();
+    point.conductance_upper = unbounded ? std::numeric_limits<double>::infinity() : table[3] * bounds.slope_upper;
+  }
+  point.conductance = table[3] * point.slope;
+  write(out, point);
+  return status;
+}
+
+rc_status rc_law_save(const rc_law* law, const char* path) {
+  return guard("rc_law_save", [&] {
+    const Law& saved = valid(law);
+    if (!path) fail(RC_ERR_ARGUMENT, "path is null");
+    write_text(path, text_of(saved));
+    return RC_OK;
+  });
+}
+
+rc_status rc_law_load(const char* path, rc_law** out) {
+  return guard("rc_law_load", [&] {
+    if (!out) fail(RC_ERR_ARGUMENT, "out is null");
+    *out = nullptr;
+    if (!path) fail(RC_ERR_ARGUMENT, "path is null");
+    *out = loaded(path);
+    return RC_OK;
+  });
+}
+
+rc_status rc_law_export(const rc_law* law, const char* path, rc_law_export_spec* spec) {
+  return guard("rc_law_export", [&] {
+    const Law& exported = valid(law);
+    if (!path) fail(RC_ERR_ARGUMENT, "path is null");
+    rc_law_export_spec cards = read<rc_law_export_spec>(spec, "rc_law_export_spec", RC_LAW_EXPORT_SPEC_INIT);
+    check_reserved(cards.reserved, "rc_law_export_spec.reserved");
+    write_text(path, cards_of(exported, cards));
+    write(spec, cards);
+    return RC_OK;
+  });
+}
+
+rc_status rc_law_open(const char* name, const char* path, const rc_law** out) {
+  return guard("rc_law_open", [&] {
+    if (!out) fail(RC_ERR_ARGUMENT, "out is null");
+    *out = nullptr;
+    if (!name || name[0] == '\0') fail(RC_ERR_ARGUMENT, "name is null or empty");
+    *out = named_law(name, [&] { return loaded(path ? path : join(name, ".law").c_str()); });
+    return RC_OK;
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,162 @@
+#include "law/cards.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <vector>
+
+#include "core/error.h"
+#include "law/table.h"
+
+namespace rc {
+
+namespace {
+
+constexpr std::int64_t usual_rows = 200, most_rows = 1'000'000, most_rows_of_calculix = 200;
+constexpr double least_step_of_calculix = 1e-10;  // it moves rows apart that are nearer, in any unit
+
+struct LawRow {
+  double x, p, slope, energy;
+};
+
+LawRow row_at(const Law& law, double x) {
+  LawRow row{x, 0, 0, 0};
+  roughcontact_law_pressure(law.table.data(), x, &row.p, &row.slope, &row.energy);
+  return row;
+}
+
+// 12 decimals: at most 20 characters, whatever the exponent.
+std::string card_number(double value) {
+  char digits[32];
+  return {digits, std::to_chars(digits, std::end(digits), value, std::chars_format::scientific, 12).ptr};
+}
+
+class Units {
+ public:
+  Units(double length, double force) : length_(length), pressure_(force / length / length) {}
+
+  double x(const LawRow& row) const { return fits(row.x, length_); }
+  double p(double pressure) const { return fits(pressure, pressure_); }
+  double slope(const LawRow& row) const { return fits(row.slope, pressure_ / length_); }
+  double energy(const LawRow& row) const { return fits(row.energy, pressure_ * length_); }
+  double per_length(double value) const { return fits(value, 1 / length_); }
+
+ private:
+  static double fits(double value, double unit) {
+    const double result = value * unit;
+    if (std::isfinite(value) && (!std::isfinite(result) || (value != 0 && std::abs(result) < 1e-290)))
+      fail(RC_ERR_ARGUMENT, "in these units a number is beyond double precision: ", value, " * ", unit,
+           "; choose other rc_law_export_spec.length and force");
+    return result;
+  }
+
+  double length_, pressure_;
+};
+
+void check_export(const Law& law, const rc_law_export_spec& spec) {
+  const auto positive = [](double value) { return value > 0 && std::isfinite(value); };
+  if (spec.format < RC_LAW_CSV || spec.format > RC_LAW_TABLE)
+    fail(RC_ERR_ARGUMENT, "rc_law_export_spec.format = ", spec.format, " is none of RC_LAW_CSV (1) .. RC_LAW_TABLE (5)");
+  const std::int64_t most = spec.format == RC_LAW_CALCULIX ? most_rows_of_calculix : most_rows;
+  if (spec.rows < 5 || spec.rows > most) fail(RC_ERR_ARGUMENT, "rc_law_export_spec.rows = ", spec.rows, " must be 5 .. ", most);
+  if (!(spec.rho1 >= 0 && spec.rho2 >= 0 && std::isfinite(spec.rho1 + spec.rho2)))
+    fail(RC_ERR_ARGUMENT, "rc_law_export_spec.rho1 = ", spec.rho1, ", rho2 = ", spec.rho2, " must be >= 0 and finite");
+  if (!positive(spec.length) || !positive(spec.force))
+    fail(RC_ERR_ARGUMENT, "rc_law_export_spec.length = ", spec.length, ", force = ", spec.force, " must be positive and finite");
+  if (!(spec.beyond >= 1 && std::isfinite(spec.beyond)))
+    fail(RC_ERR_ARGUMENT, "rc_law_export_spec.beyond = ", spec.beyond, " must be 1 or more, and finite");
+  if (spec.rho1 + spec.rho2 > 0 && !(law.info.modulus > 0))
+    fail(RC_ERR_ARGUMENT, "a law whose system has no modulus has no conductance");
+}
+
+// The origin, then rows in equal ratios from the first node to the last.
+std::vector<LawRow> rows_of(const Law& law, std::int64_t count) {
+  std::vector<LawRow> rows{{0, 0, 0, 0}};
+  const double lower = law.info.x_lower, upper = law.info.x_upper;
+  const double ratio = std::log(upper / lower) / static_cast<double>(count - 2);
+  for (std::int64_t i = 0; i < count - 1; ++i)
+    rows.push_back(row_at(law, i == count - 2 ? upper : lower * std::exp(ratio * static_cast<double>(i))));
+  return rows;
+}
+
+double distance_of_lines(const Law& law, const std::vector<LawRow>& rows) {
+  double most = 0;
+  for (std::size_t i = 1; i + 1 < rows.size(); ++i)
+    for (const double share : {0.25, 0.4, 0.5, 0.6, 0.75}) {
+      const double x = rows[i].x + share * (rows[i + 1].x - rows[i].x);
+      most = std::max(most, std::abs((rows[i].p + share * (rows[i + 1].p - rows[i].p)) / row_at(law, x).p - 1));
+    }
+  return most;
+}
+
+std::string joined_line(std::initializer_list<double> values) {
+  std::string line;
+  for (const double value : values) {
+    if (!line.empty()) line += ',';
+    line += card_number(value);
+  }
+  line += '\n';
+  return line;
+}
+
+std::string columns(const Law& law, const std::vector<LawRow>& rows, const Units& units, double resistivity) {
+  std::string text = "overclosure,pressure,slope,energy,area_fraction,conductance,pressure_lower,pressure_upper\n";
+  for (const LawRow& row : rows) {
+    roughcontact_law_bounds bounds{};
+    if (row.x > 0) roughcontact_law_bounds_at(law.table.data(), row.x, row.p, &bounds);
+    const double conductance = units.per_length(law.table[3] * row.slope) / (resistivity > 0 ? resistivity : 1);
+    text += joined_line({units.x(row), units.p(row.p), units.slope(row), units.energy(row), bounds.area, conductance,
+                         units.p(bounds.p_lower), units.p(bounds.p_upper)});
+  }
+  return text;
+}
+
+std::string pressure_cards(const Law& law, const std::vector<LawRow>& rows, const Units& units, const rc_law_export_spec& spec) {
+  const char* const proof = law.info.bounds == RC_LAW_MONOTONE ? "estimated" : "proven";
+  std::string text =
+      join("** roughcontact: ", rows.size(), " rows; straight lines between them are within ", in_digits(spec.error, 2),
+           " of the law,\n** the law within ", in_digits(law.info.width, 2), " of the patch (", proof, ")\n");
+  text += "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR\n";
+  for (const LawRow& row : rows) text += joined_line({units.p(row.p), units.x(row)});
+  if (!(spec.rho1 + spec.rho2 > 0)) return text;
+  text += spec.format == RC_LAW_ABAQUS ? "*GAP CONDUCTANCE, PRESSURE\n" : "*GAP CONDUCTANCE\n";
+  for (const LawRow& row : rows)
+    text += joined_line({units.per_length(law.table[3] * row.slope) / (spec.rho1 + spec.rho2), units.p(row.p)});
+  return text;
+}
+
+std::string whole_table(const Law& law) {
+  std::string text = join(law.table.size(), '\n');
+  for (const double number : law.table) text += exact(number) + '\n';
+  return text;
+}
+
+}  // namespace
+
+std::string cards_of(const Law& law, rc_law_export_spec& spec) {
+  if (spec.rows == 0) spec.rows = usual_rows;
+  if (spec.length == 0) spec.length = 1;
+  if (spec.force == 0) spec.force = 1;
+  if (spec.beyond == 0) spec.beyond = 100;
+  check_export(law, spec);
+  spec.error = 0;
+  if (spec.format == RC_LAW_TABLE) return whole_table(law);
+  const bool more = spec.format != RC_LAW_CSV && spec.beyond > 1;
+  std::vector<LawRow> rows = rows_of(law, spec.rows - (more ? 1 : 0));
+  spec.error = distance_of_lines(law, rows);
+  if (more) rows.push_back(row_at(law, spec.beyond * law.info.x_upper));
+  const Units units(spec.length, spec.force);
+  if (spec.format == RC_LAW_CSV) return columns(law, rows, units, spec.rho1 + spec.rho2);
+  if (spec.format == RC_LAW_CALCULIX && (rows[2].x - rows[1].x) * spec.length < least_step_of_calculix)
+    fail(RC_ERR_ARGUMENT, "rows are ", (rows[2].x - rows[1].x) * spec.length,
+         " apart, and CalculiX changes overclosures that are nearer than 1e-10: choose a smaller unit of length, or fewer rows");
+  if (spec.format != RC_LAW_MOOSE) return pressure_cards(law, rows, units, spec);
+  std::string text;
+  for (const LawRow& row : rows) text += joined_line({units.x(row), units.p(row.p)});
+  return text;
+}
+
+}  // namespace rc

@@ -1,0 +1,98 @@
+#include "law/law.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "law/interval.h"
+#include "law/table.h"
+
+namespace rc {
+
+namespace {
+
+constexpr double largest = std::numeric_limits<double>::max();
+
+class LawTable {
+ public:
+  void begin(const rc_law_info& info, const std::vector<rc_law_node>& nodes) {
+    const double scale = info.modulus > 0 ? 2 / info.modulus : std::numeric_limits<double>::quiet_NaN();
+    numbers_ = {0, static_cast<double>(2 * nodes.size() - 1), static_cast<double>(nodes.size()), scale, 0, 0, 0, 0};
+  }
+  void piece(double x, double p, double slope, double half_bend, double energy) {
+    keys_.push_back(x);
+    numbers_.insert(numbers_.end(), {x, p, slope, half_bend, energy});
+  }
+  void node(const rc_law_node& node) {
+    numbers_.insert(numbers_.end(),
+                    {node.x, node.p_lower, node.p_upper, node.between_lower, std::min(node.between_upper, largest),
+                     static_cast<double>(node.bounds), node.p, node.area_fraction, node.area_lower, node.area_upper});
+  }
+  std::vector<double> finished() {
+    const auto first = std::upper_bound(keys_.begin(), keys_.end(), 0.0);
+    const double begin = roughcontact_law_bucket(*first), end = roughcontact_law_bucket(keys_.back());
+    numbers_[4] = begin;
+    numbers_[5] = end - begin + 1;
+    std::size_t piece = 0;
+    for (double bucket = begin; bucket <= end; ++bucket) {
+      while (piece + 1 < keys_.size() && (keys_[piece + 1] <= 0 || roughcontact_law_bucket(keys_[piece + 1]) < bucket)) ++piece;
+      numbers_.push_back(static_cast<double>(piece));
+    }
+    numbers_[0] = static_cast<double>(numbers_.size());
+    return std::move(numbers_);
+  }
+
+ private:
+  std::vector<double> numbers_, keys_;
+};
+
+double half_of(double lower, double upper) { return lower > 0 ? (upper / lower - 1) / 2 : HUGE_VAL; }
+
+}  // namespace
+
+double half_width(const rc_law_node& node, const rc_law_node& next) {
+  const double h = next.x - node.x, low = node.between_lower, high = std::min(node.between_upper, largest);
+  const auto at = [&](double t) {
+    t = std::clamp(t, 0.0, h);
+    const double lower = std::max({node.p_lower, node.p_lower + low * t, next.p_lower - high * (h - t)});
+    double upper = std::min({next.p_upper, node.p_upper + high * t, next.p_upper - low * (h - t)});
+    if (node.bounds == RC_LAW_CONVEX) upper = std::min(upper, node.p_upper + (next.p_upper - node.p_upper) * (t / h));
+    return half_of(lower, upper);
+  };
+  if (!(high > low)) return at(h / 2);
+  return std::max(at((node.p_lower - next.p_lower + high * h) / (high - low)),
+                  at((next.p_upper - node.p_upper - low * h) / (high - low)));
+}
+
+void Law::finish() {
+  LawTable pieces;
+  pieces.begin(info, nodes);
+  info.width = info.width_conductance = info.width_area = info.energy_error = 0;
+  info.bounds = RC_LAW_CONVEX;
+  double energy = 0;
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+    const rc_law_node& node = nodes[i];
+    rc_law_node& next = nodes[i + 1];
+    const LawInterval curve = i == 0 ? up_to_first(next) : between(node, next);
+    const LawPart &before = curve.before, &after = curve.after;
+    pieces.piece(node.x, node.p, before.first, before.half_bend(), energy);
+    pieces.piece(node.x + before.length, node.p + before.rise(), after.first, after.half_bend(), energy + before.energy(node.p));
+    energy += curve.energy(node.p);
+    if (std::isnan(next.energy)) next.energy = energy;
+    if (i == 0) continue;
+    info.energy_error = std::max(info.energy_error, std::abs(energy / next.energy - 1));
+    info.bounds = std::max(info.bounds, node.bounds);
+    if (node.bounds != RC_LAW_MONOTONE) info.width = std::max(info.width, half_width(node, next));
+    info.width_conductance = std::max(info.width_conductance, half_of(node.between_lower, node.between_upper));
+    info.width_area = std::max(info.width_area, half_of(node.area_lower, next.area_upper));
+  }
+  pieces.piece(nodes.back().x, nodes.back().p, nodes.back().slope, 0, energy);
+  for (const rc_law_node& node : nodes) pieces.node(node);
+  table = pieces.finished();
+  info.nodes = static_cast<std::int64_t>(nodes.size());
+  info.x_lower = nodes[1].x, info.p_lower = nodes[1].p;
+  info.x_upper = nodes.back().x, info.p_upper = nodes.back().p;
+}
+
+}  // namespace rc

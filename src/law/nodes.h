@@ -1,0 +1,27 @@
+// The nodes of a law while it is made: in order, with what is proven between neighbours.
+#pragma once
+
+#include <vector>
+
+#include "law/patch.h"
+
+namespace rc {
+
+class LawNodes {
+ public:
+  explicit LawNodes(const LawPatch& patch) : patch_(patch), samples_{patch.origin()} {}
+
+  // Places them by approach and finds what holds in the intervals that are new. Two at the same overclosure count as one.
+  void add(std::vector<LawSample> fresh);
+
+  std::size_t size() const { return samples_.size(); }
+  const LawSample& operator[](std::size_t i) const { return samples_[i]; }
+
+ private:
+  void bound(LawSample& sample, const LawSample& next) const;
+
+  const LawPatch& patch_;
+  std::vector<LawSample> samples_;
+};
+
+}  // namespace rc

@@ -1,0 +1,73 @@
+// The patch of a law: solves single nodes through the public interface, and says in overclosures what they prove.
+#pragma once
+
+#include <roughcontact/law.h>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "law/points.h"
+
+namespace rc {
+
+// A solved node.
+struct LawSample {
+  rc_law_node node = RC_LAW_NODE_INIT;  // bounds and between_...: of no interval yet
+  double approach = 0;
+  double bounded_to = 0;  // approach of the next node for which node.bounds holds
+  bool proven = true;     // load and stiffness lie in proven intervals
+  LawPoints contacts, capped;
+};
+
+class LawPatch {
+ public:
+  // The contact and the struct's arrays are used until the patch ends. Throws Error.
+  LawPatch(const rc_system& system, const rc_options* options, const rc_law_spec& spec);
+
+  LawSample origin() const;
+  LawSample at_load(double load) { return solve(RC_CONTROL_LOAD, load); }
+  LawSample at_approach(double approach) { return solve(RC_CONTROL_APPROACH, approach); }
+
+  // Slopes of the law between which those of all sets are that hold `least` and lie in `most`; nothing where none are proven.
+  struct Slopes {
+    double lower, upper;
+  };
+  std::optional<Slopes> slopes(const LawPoints& least, const LawPoints& most) const;
+
+  double area() const { return area_; }
+  double mean_gap() const { return mean_gap_; }
+  std::int32_t bulk() const { return bulk_; }
+  std::int64_t solves() const { return solves_; }
+  bool plastic() const;
+
+ private:
+  // How far the overclosure goes with the approach, and the interval of that; how uncertain the overclosure itself is.
+  struct Yield {
+    double x, rate, rate_lower, rate_upper, error;
+  };
+  struct Destroy {
+    void operator()(rc_contact* contact) const { rc_contact_destroy(contact); }
+    void operator()(rc_options* options) const { rc_options_destroy(options); }
+  };
+
+  LawSample solve(std::int32_t control, double target);
+  Yield yield(std::int32_t control, const rc_result& result, const LawSample& sample);
+  Yield mean_yield(std::int32_t control, const rc_result& result, const LawSample& sample);
+  void set_options(const rc_options* given);
+  double pressed_flat();  // 1'H1 hx hy over the points that are not masked
+
+  rc_system system_;
+  rc_law_spec spec_;
+  std::int64_t n_, open_ = 0;  // points, and those that are not masked
+  double area_, mean_gap_ = 0, flat_ = 0;
+  std::int32_t bulk_;
+  std::int64_t solves_ = 0;
+  std::unique_ptr<rc_options, Destroy> options_;
+  std::unique_ptr<rc_contact, Destroy> contact_;
+  bool placed_ = false;  // the contact has the surface
+  std::vector<std::int64_t> index_;
+  std::vector<double> p_, gap_;
+};
+
+}  // namespace rc

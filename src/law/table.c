@@ -1,0 +1,131 @@
+#include "table.h"
+
+#include <math.h>
+#include <stdint.h>
+
+double roughcontact_law_bucket(double x) {
+  union {
+    double value;
+    uint64_t bits;
+  } of;
+  of.value = x;
+  return (double)(int64_t)(of.bits >> 46); /* exponent and six bits of the fraction */
+}
+
+static const double* pieces(const double* table) { return table + law_table_head; }
+static const double* nodes(const double* table) { return pieces(table) + law_table_piece * (int)table[1]; }
+static const double* buckets(const double* table) { return nodes(table) + law_table_node * (int)table[2]; }
+
+/* The last of n records, stride numbers apart, that begins at or before a value: bisection without a branch. */
+static const double* last_at(const double* record, int n, int stride, double value) {
+  while (n > 1) {
+    const int half = n / 2;
+    record += record[half * stride] <= value ? half * stride : 0;
+    n -= half;
+  }
+  return record;
+}
+
+static const double* piece_at(const double* table, double x) {
+  const double* const last = pieces(table) + law_table_piece * ((int)table[1] - 1);
+  const double bucket = roughcontact_law_bucket(x) - table[4];
+  const double* piece = pieces(table);
+  if (bucket >= table[5]) return last;
+  if (bucket >= 0) piece += law_table_piece * (int)buckets(table)[(int)bucket];
+  while (piece < last && piece[law_table_piece] <= x) piece += law_table_piece;
+  return piece;
+}
+
+static int outside(const double* table, const double* piece, double excess) {
+  return piece == pieces(table) + law_table_piece * ((int)table[1] - 1) && excess > 0 ? 106 : 0;
+}
+
+int roughcontact_law_pressure(const double* table, double x, double* p, double* slope, double* energy) {
+  const double* piece;
+  double t;
+  if (!(x > 0)) {
+    if (x != x) return -1;
+    *p = 0;
+    if (slope) *slope = 0;
+    if (energy) *energy = 0;
+    return 0;
+  }
+  piece = piece_at(table, x);
+  t = x - piece[0];
+  *p = piece[1] + t * (piece[2] + t * piece[3]);
+  if (slope) *slope = piece[2] + 2 * t * piece[3];
+  if (energy) *energy = piece[4] + t * (piece[1] + t * (piece[2] / 2 + t * (piece[3] / 3)));
+  return outside(table, piece, t);
+}
+
+/* The slope squared is linear in p on each piece. */
+static double slope_on(const double* piece, double excess) {
+  const double square = piece[2] * piece[2] + 4 * piece[3] * excess;
+  return square > 0 ? sqrt(square) : 0;
+}
+
+int roughcontact_law_overclosure(const double* table, double p, double* x) {
+  const double* piece;
+  double excess;
+  if (!(p > 0)) {
+    if (p != p) return -1;
+    *x = 0;
+    return 0;
+  }
+  piece = last_at(pieces(table) + 1, (int)table[1], law_table_piece, p) - 1;
+  excess = p - piece[1];
+  *x = excess > 0 ? piece[0] + 2 * excess / (piece[2] + slope_on(piece, excess)) : piece[0];
+  return outside(table, piece, excess);
+}
+
+int roughcontact_law_slope(const double* table, double p, double* slope) {
+  const double* piece;
+  if (!(p > 0)) {
+    if (p != p) return -1;
+    *slope = 0;
+    return 0;
+  }
+  piece = last_at(pieces(table) + 1, (int)table[1], law_table_piece, p) - 1;
+  *slope = slope_on(piece, p - piece[1]);
+  return outside(table, piece, p - piece[1]);
+}
+
+static double smaller(double a, double b) { return a < b ? a : b; }
+static double larger(double a, double b) { return a > b ? a : b; }
+
+void roughcontact_law_bounds_at(const double* table, double x, double p, struct roughcontact_law_bounds* bounds) {
+  const double* const node = nodes(table) + law_table_node * (int)((piece_at(table, x) - pieces(table)) / (2 * law_table_piece));
+  const double* const next = node + law_table_node;
+  const double t = x - node[0];
+  bounds->slope_lower = node[3];
+  bounds->slope_upper = node[4];
+  bounds->area_lower = node[8];
+  if (node == nodes(table) + law_table_node * ((int)table[2] - 1)) {
+    bounds->p_lower = node[1] + node[3] * t;
+    bounds->p_upper = t > 0 ? HUGE_VAL : node[2];
+    bounds->area = smaller(1, node[7] * p / node[6]);
+    bounds->area_upper = t > 0 ? 1 : node[9];
+    return;
+  }
+  {
+    const double rest = next[0] - x, rise = next[6] - node[6], share = rise > 0 ? (p - node[6]) / rise : 0;
+    bounds->p_lower = larger(larger(node[1], node[1] + node[3] * t), next[1] - node[4] * rest);
+    bounds->p_upper = smaller(smaller(next[2], node[2] + node[4] * t), next[2] - node[3] * rest);
+    if (node[5] == 1) bounds->p_upper = smaller(bounds->p_upper, node[2] + (next[2] - node[2]) * (t / (next[0] - node[0])));
+    bounds->area = node[7] + (next[7] - node[7]) * larger(0, smaller(1, share));
+    bounds->area_upper = next[9];
+  }
+}
+
+#ifdef ROUGHCONTACT_LAW_FORTRAN /* CALL RCLAWP(TABLE, X, P, SLOPE, ENERGY, ISTAT), RCLAWX(TABLE, P, X, ISTAT), RCLAWS(TABLE, P, \
+                                   SLOPE, ISTAT) */
+void rclawp_(const double* table, const double* x, double* p, double* slope, double* energy, int* status) {
+  *status = roughcontact_law_pressure(table, *x, p, slope, energy);
+}
+void rclawx_(const double* table, const double* p, double* x, int* status) {
+  *status = roughcontact_law_overclosure(table, *p, x);
+}
+void rclaws_(const double* table, const double* p, double* slope, int* status) {
+  *status = roughcontact_law_slope(table, *p, slope);
+}
+#endif

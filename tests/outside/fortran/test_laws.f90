@@ -1,0 +1,41 @@
+! Contact laws in the manner of Fortran.
+program test_laws
+  use roughcontact
+  use checks
+  implicit none
+  character(300) :: message
+  character(*), parameter :: file = 'test_laws.law'
+  type(rc_system) :: system
+  type(rc_law_spec) :: spec
+  type(c_ptr) :: law
+  real(c_double) :: p, slope, energy, conductance, of_it
+  integer :: stat
+
+  system = rc_system(op=RC_OPERATOR_HALFSPACE, boundary=RC_BOUNDARY_PERIODIC, nx=24, ny=20, hx=1, hy=1, modulus=1)
+  spec = rc_law_spec(p_lower=1e-3_c_double, p_upper=5e-2_c_double, tolerance=1e-2_c_double)
+  call rcf_law_create(law, system, rcf_gap_from_heights(rough(24, 20)), spec)
+  call rcf_law_save(law, file)
+  call check('p', rc_law_pressure(law, 0.5_c_double, of_it) >= 0)
+  call rcf_law_open('law1', file, 1)
+  call rcf_law_at(1, 0.5_c_double, p, slope, energy, stat)
+  call check('a law by number', stat >= 0 .and. p == of_it .and. p > 0 .and. slope > 0 .and. energy > 0)
+  call rcf_law_gap_conductance(1, p, 0.5_c_double, 0.5_c_double, conductance, stat)
+  call check('its conductance', stat >= 0 .and. abs(conductance / (2 * slope) - 1) < 1e-9)
+  call rcf_law_at(1, 1e3_c_double, p, slope, energy, stat)
+  call check('outside', stat == RC_OUTSIDE)
+  call rcf_law_at(2, 0.5_c_double, p, slope, energy, stat)
+  call check('no such law', stat == RC_ERR_ARGUMENT)
+  call rcf_law_open('law2', 'no such file', 2, stat, message)
+  call check('no file: '//trim(message), stat == RC_ERR_ARGUMENT .and. index(message, 'cannot be read') > 0)
+  call rcf_law_open('law1', file, 65, stat, message)
+  call check('a number too large', stat == RC_ERR_ARGUMENT .and. index(message, '1 .. 64') > 0)
+  call rcf_law_create(law, system, rcf_gap_from_heights(rough(20, 20)), spec, stat=stat, errmsg=message)
+  call check('shapes', stat == RC_ERR_SHAPE)
+  spec%p_upper = 1e6_c_double
+  call rcf_law_create(law, system, rcf_gap_from_heights(rough(24, 20)), spec, stat=stat, errmsg=message)
+  call check('closed', stat == RC_ERR_INFEASIBLE .and. .not. c_associated(law))
+  call rcf_law_destroy(law)
+  open (unit=7, file=file)
+  close (7, status='delete')
+  call finish()
+end program
