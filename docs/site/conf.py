@@ -57,6 +57,7 @@ docs/how-to/tolerance
 docs/how-to/grid
 docs/how-to/many-surfaces
 docs/how-to/campaigns
+docs/how-to/calculix
 docs/how-to/cite
 docs/command-line
 docs/python
@@ -112,6 +113,8 @@ CHANGELOG
 backends/*/README
 src/solvers/haar_cg/README
 fuzz/README
+integrations/calculix/README
+integrations/calculix/LICENSE
 ```
 """
 REFERENCE = """

@@ -10,7 +10,7 @@ MODULES = {
     'roughcontact_formats': 'Reads surface files: `use roughcontact_formats`.',
 }
 SHOWN = 'briefdescription detaileddescription innerclass public-attrib enum define typedef func var user-defined'
-SOLVING = ('contacts', 'histories', 'derivatives', 'direct', 'laws', 'analysis', 'options', 'arrays', 'errors', 'strings')
+SOLVING = ('contacts', 'histories', 'derivatives', 'direct', 'laws', 'products', 'analysis', 'options', 'arrays', 'errors', 'strings')
 PYTHON = ('roughcontact', 'roughcontact.surface', 'roughcontact.analysis', 'roughcontact.direct', 'roughcontact.plot')
 BEGINS = re.compile(
     r'^  (?:(?:pure|elemental|recursive|impure) )*(?:[a-z][\w()*:=, ]* )?(?:subroutine|function) (rcf?_\w+)', re.I

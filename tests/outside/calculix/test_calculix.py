@@ -1,0 +1,171 @@
+"""test_calculix.py INTEGRATION BUILD FOLDER: builds CalculiX with contact laws in FOLDER, and compares two pressed cubes with the scalar
+series solution. Exit code 77: CalculiX's sources or the tools to build it are missing."""
+
+import ctypes
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+import deck
+
+USER = "*SURFACE BEHAVIOR,PRESSURE-OVERCLOSURE=USER"
+AREA = deck.EDGE**2
+COMPLIANCE = 2 * deck.EDGE / deck.YOUNG  # mm/MPa, of both cubes
+
+
+class Law:
+    """Of a file, through the library itself."""
+
+    def __init__(self, library, path):
+        self.library = ctypes.CDLL(str(library))
+        self.handle = ctypes.c_void_p()
+        assert self.library.rc_law_load(str(path).encode(), ctypes.byref(self.handle)) == 0
+
+    def ask(self, function, *numbers):
+        answer = ctypes.c_double()
+        missing = [None, None] if function == "rc_law_pressure" else []
+        doubles = map(ctypes.c_double, numbers)
+        assert getattr(self.library, function)(self.handle, *doubles, ctypes.byref(answer), *missing) >= 0
+        return answer.value
+
+    def series(self, down):
+        """The pressure at which both cubes and the law together yield by `down`."""
+        lower, upper = 0.0, down
+        for _ in range(200):
+            x = (lower + upper) / 2
+            pressure = self.ask("rc_law_pressure", x)
+            if pressure * COMPLIANCE + x > down:
+                upper = x
+            else:
+                lower = x
+        return pressure
+
+
+def run(ccx, path):
+    """Times and forces, times and heats, and the iterations of each increment."""
+    environment = dict(os.environ, OMP_NUM_THREADS="2", CCX_NPROC_RESULTS="2")
+    job = path.with_suffix("")
+    done = subprocess.run([ccx, "-i", job.name], cwd=path.parent, env=environment, capture_output=True, text=True, timeout=300)
+    if done.returncode:
+        return done.stdout, [], []
+    printed = job.with_suffix(".dat").read_text()
+    forces = re.findall(r"total force.*?time\s+(\S+)\s+\S+\s+\S+\s+(\S+)", printed)
+    heats = re.findall(r"total heat.*?time\s+(\S+)\s+(\S+)", printed)
+    rows = [line.split() for line in job.with_suffix(".sta").read_text().splitlines()]
+    iterations = [(int(row[0]), int(row[3])) for row in rows if len(row) >= 7 and row[0].isdigit()]
+    return [(float(time), float(force)) for time, force in forces], [-float(heat) for _, heat in heats], iterations
+
+
+def check(what, worst, limit):
+    print(f"{what}: {worst:.1e} (limit {limit:.0e})", flush=True)
+    assert worst <= limit, what
+
+
+def two_cubes(ccx, law, folder):
+    path = folder / "cubes.inp"
+    for kind in ("NODE", "SURFACE"):
+        first_step = int(kind == "SURFACE")  # it has no load
+        for down in (0.0005, 0.002, 0.01, 0.04):
+            for increments in (1, 10):
+                deck.write(path, [USER], kind, down, increments)
+                forces, _, iterations = run(ccx, path)
+                forces = [(time - first_step, force) for time, force in forces if time > first_step]
+                assert len(forces) == increments, forces
+                errors = [abs(force / (law.series(time * down) * AREA) - 1) for time, force in forces]
+                check(f"{kind} {down} mm, {increments} increments: force", max(errors), 5e-7)
+                most = max(count for step, count in iterations if step > first_step)
+                if increments == 1:
+                    check("  iterations", most, 8)
+
+
+def tilted(ccx, law, folder):
+    """The sum of the forces is nearly that of the flat top."""
+    path = folder / "tilted.inp"
+    flat = law.series(0.01) * AREA
+    for kind, most in (("NODE", 10), ("SURFACE", 6)):
+        deck.write(path, [USER], kind, 0.01, elements=5, tilt=1.2)
+        forces, _, iterations = run(ccx, path)
+        check(f"{kind}, tilted: force against a flat top", abs(forces[-1][1] / flat - 1), 5e-3)
+        check("  iterations", iterations[-1][1], most)
+
+
+def heat(ccx, law, folder):
+    path = folder / "heat.inp"
+    for down in (0.0005, 0.002, 0.01):
+        deck.write(path, [USER, f"{deck.CONDUCTIVITY},{deck.CONDUCTIVITY}", "*GAP CONDUCTANCE,USER"], "SURFACE", down, heat=True)
+        forces, heats, _ = run(ccx, path)
+        pressure = law.series(down)
+        contact = law.ask("rc_law_gap_conductance", pressure, 1 / deck.CONDUCTIVITY, 1 / deck.CONDUCTIVITY)
+        expected = 100 * AREA / (2 * deck.EDGE / deck.CONDUCTIVITY + 1 / contact)
+        check(f"heat, {down} mm: force", abs(forces[-1][1] / (pressure * AREA) - 1), 5e-7)
+        check("  heat", abs(heats[-1] / expected - 1), 5e-7)
+
+
+def units(ccx, law, folder):
+    """A law in m, N, Pa in a deck in mm, N, MPa: every x, p of the file is scaled, so numbers of the deck scale back."""
+    path = folder / "units.inp"
+    deck.write(path, [USER, "0,0,1.,1."], "SURFACE", 0.01)
+    same = run(ccx, path)[0]
+    assert abs(same[-1][1] / (law.series(0.01) * AREA) - 1) < 5e-7
+    deck.write(path, [USER, "0,0,2.,4."], "SURFACE", 0.02)  # pressures the same, lengths twice
+    scaled = run(ccx, path)[0]
+
+    class Longer(Law):
+        def __init__(self):
+            self.library, self.handle = law.library, law.handle
+
+        def ask(self, function, x):
+            return law.ask(function, x / 2)
+
+    check("lengths of the law doubled: force", abs(scaled[-1][1] / (Longer().series(0.02) * AREA) - 1), 5e-7)
+
+
+def errors(ccx, _, folder):
+    """Every mistake ends the run with a message."""
+    path = folder / "wrong.inp"
+
+    def message(expected, behaviour, kind="SURFACE", hot=False):
+        deck.write(path, behaviour, kind, 0.01, heat=hot)
+        output, forces, _ = run(ccx, path)
+        assert not forces and expected in re.sub(r"\s+", " ", output), (expected, output[-2000:])
+
+    conductance = "*GAP CONDUCTANCE,USER"
+    message("needs TYPE=SURFACE TO SURFACE", [USER, "50.,50.", conductance], "NODE", True)
+    message("needs the conductivities", [USER, conductance], hot=True)
+    message("must not be negative", [USER, "0,0,-1."])
+    message("needs PRESSURE-OVERCLOSURE=USER", ["*SURFACE BEHAVIOR,PRESSURE-OVERCLOSURE=LINEAR", "1.E5,1.E-3", conductance], hot=True)
+    file = folder / "patch.law"
+    text = file.read_text()
+    file.write_text(text[: len(text) // 2])
+    message("patch.law", [USER])
+    file.unlink()
+    message("patch.law", [USER])
+    file.write_text(text)
+
+
+def main():
+    integration, build, folder = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
+    prefix = folder / "installed"
+    for part in ("runtime", "development"):
+        install = ["cmake", "--install", build, "--prefix", prefix, "--component", part]
+        subprocess.run(install, check=True, stdout=subprocess.DEVNULL)
+    settings = next(prefix.rglob("roughcontact.pc")).parent
+    os.environ.update(PKG_CONFIG_PATH=str(settings), CCX_OPTIMIZE="-O1")
+    built = subprocess.run([integration / "build.sh", folder / "calculix"])
+    if built.returncode:
+        return built.returncode
+    flags = subprocess.run(["pkg-config", "--cflags", "--libs", "roughcontact"], check=True, capture_output=True, text=True).stdout.split()
+    library = next(prefix.rglob("libroughcontact.so"))
+    program = folder / "steel"
+    subprocess.run(["cc", "-O2", integration / "steel.c", "-o", program, *flags, f"-Wl,-rpath,{library.parent}", "-lm"], check=True)
+    subprocess.run([program, folder / "patch.law"], check=True)
+    law = Law(library, folder / "patch.law")
+    for part in (two_cubes, tilted, heat, units, errors):
+        part(folder / "calculix/ccx", law, folder)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
