@@ -39,14 +39,14 @@ enum { RC_LAW_CONVEX = 1, RC_LAW_SLOPES = 2, RC_LAW_MONOTONE = 3 };
 /** The patch, and how exact its law has to be. Nothing is kept after the call. */
 typedef struct rc_law_spec {
   size_t struct_size;
-  const double *undeformed_gap; /* [n] h [length], see rc_gap_from_heights                                            */
+  const double *undeformed_gap; /* [n] h [length]; it counts from its lowest point, see rc_gap_from_heights           */
   const uint8_t *mask;   /* [n] as rc_step.mask; NULL: all points                                                     */
-  double area;           /* nominal area that p refers to [length^2]; 0: nx hx ny hy                                  */
+  double area;           /* nominal area that p refers to [length^2], not less than that of the points; 0: nx hx ny hy */
   double p_lower, p_upper; /* the tolerances hold between these nominal pressures [force/length^2], 0 < lower < upper */
   double tolerance;      /* half the width of the bounds of p, over p: 1e-6 .. 0.1; 1e-3 unless set                   */
   double tolerance_conductance; /* the same for the conductance, 1e-4 .. 1: more nodes. 0: as it comes (default)      */
-  int32_t bulk;          /* RC_LAW_BULK_*. NONE: x = approach. GIVEN: x = approach - load / bulk_stiffness. MEAN: x = change of
-                            the mean gap. AUTO: MEAN for a half-space with free boundaries, else NONE                 */
+  int32_t bulk;          /* RC_LAW_BULK_*. NONE: x = approach. GIVEN: x = approach - load / bulk_stiffness. MEAN, for a
+                            half-space with free boundaries: x = change of the mean gap. AUTO: MEAN there, else NONE   */
   int32_t reserved;      /* 0                                                                                         */
   double bulk_stiffness; /* GIVEN: > 0 [force/length]; else 0                                                         */
   int64_t max_nodes;     /* >= 3; 0: 10000. A law that needs more ends with RC_STOP_MAX_ITER                          */
@@ -76,7 +76,7 @@ typedef struct rc_law_info {
   double width_area;     /* the same of the contact area                                                              */
   double energy_error;   /* largest difference between the integral and a node's own energy, over the latter; 0 with MEAN */
   double modulus, hardness, area, bulk_stiffness; /* as given; the area is never 0                                    */
-  double mean_gap;       /* mean of the undeformed gap over the points that are not masked [length]                   */
+  double mean_gap;       /* mean of the undeformed gap, from its lowest point on, over points that are not masked     */
   double x_lower, x_upper, p_lower, p_upper; /* first node after the origin, and last node                            */
 } rc_law_info;
 #define RC_LAW_INFO_INIT RC_BEGIN(rc_law_info)
@@ -99,9 +99,9 @@ RC_API rc_status rc_law_describe_node(const rc_law *law, int64_t i, rc_law_node 
 /** @} */
 
 /** @defgroup law_evaluation Evaluating a law
- *  rc_law_pressure, _overclosure, _gap_conductance and _pressures take some 10 to 30 ns. They compute in the calling thread's
- *  floating-point mode, and set rc_last_error() only if they fail. Beyond the last node p continues on the last tangent, with
- *  RC_OUTSIDE. Errors: ARGUMENT for NaN.
+ *  rc_law_pressure, _overclosure, _gap_conductance and _pressures take some 10 to 30 ns, rc_law_evaluate 100. They compute in the
+ *  calling thread's floating-point mode, and set rc_last_error() only if they fail. Beyond the last node p continues on the last
+ *  tangent, with RC_OUTSIDE. Errors: ARGUMENT for NaN and infinity; of _pressures, numbers before it are written.
  *  @{ */
 /** Pressure, slope and energy at an overclosure; all 0 for x <= 0. slope and energy may be NULL. */
 RC_API rc_status rc_law_pressure(const rc_law *law, double x, double *p, double *slope, double *energy);
@@ -128,7 +128,8 @@ RC_API rc_status rc_law_evaluate(const rc_law *law, double x, rc_law_point *out)
 /** @} */
 
 /** @defgroup law_files Files
- *  Written to a temporary file beside it, which is then renamed: there is never half a file. Paths are UTF-8.
+ *  Written to a temporary file beside it, which is then renamed: there is never half a file. What is there already and is no
+ *  file is refused. Paths are UTF-8.
  *  @{ */
 /** A text file with every bit of the law and a checksum. Errors: ARGUMENT (the file cannot be written). */
 RC_API rc_status rc_law_save(const rc_law *law, const char *path);

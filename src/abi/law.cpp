@@ -41,7 +41,8 @@ rc_law* loaded(const char* path) {
 rc_status refused(const char* where, const char* what) {
   return guard(where, [&]() -> rc_status { fail(RC_ERR_ARGUMENT, what); });
 }
-constexpr const char* null_or_nan = "law or an output is null, or the number is NaN";
+bool refuses(double x) { return !(x <= std::numeric_limits<double>::max()); }
+constexpr const char* null_or_nan = "law or an output is null, or the number is NaN or infinite";
 
 }  // namespace
 
@@ -89,13 +90,14 @@ rc_status rc_law_pressure(const rc_law* law, double x, double* p, double* slope,
 }
 
 rc_status rc_law_pressures(const rc_law* law, int64_t n, const double* x, double* p, double* slope, double* energy) {
-  if (!law || !x || n < 0) return refused("rc_law_pressures", "law or x is null, or n < 0");
+  if (!law || (!x && n > 0) || n < 0) return refused("rc_law_pressures", "law or x is null, or n < 0");
   int worst = RC_OK;
   for (std::int64_t i = 0; i < n; ++i) {
     double pressure = 0;
     const int status = roughcontact_law_pressure(law->made->table.data(), x[i], p ? p + i : &pressure,
                                                  slope ? slope + i : nullptr, energy ? energy + i : nullptr);
-    if (status < 0) return guard("rc_law_pressures", [&]() -> rc_status { fail(RC_ERR_ARGUMENT, "x[", i, "] is NaN"); });
+    if (status < 0)
+      return guard("rc_law_pressures", [&]() -> rc_status { fail(RC_ERR_ARGUMENT, "x[", i, "] = ", x[i], " is not finite"); });
     worst = std::max(worst, status);
   }
   return worst;
@@ -121,11 +123,11 @@ rc_status rc_law_gap_conductance(const rc_law* law, double p, double rho1, doubl
 
 rc_status rc_law_evaluate(const rc_law* law, double x, rc_law_point* out) {
   rc_law_point point = RC_LAW_POINT_INIT;
-  if (!law || !out || out->struct_size != sizeof point || std::isnan(x)) {
+  if (!law || !out || out->struct_size != sizeof point || refuses(x)) {
     const rc_status status = guard("rc_law_evaluate", [&] {
       valid(law);
       check_size(out, "rc_law_point");
-      if (std::isnan(x)) fail(RC_ERR_ARGUMENT, "x is NaN");
+      if (refuses(x)) fail(RC_ERR_ARGUMENT, "x = ", x, " is not finite");
       return RC_OK;
     });
     if (status != RC_OK) return status;
@@ -133,6 +135,7 @@ rc_status rc_law_evaluate(const rc_law* law, double x, rc_law_point* out) {
   const std::vector<double>& table = law->made->table;
   const int status = roughcontact_law_pressure(table.data(), x, &point.p, &point.slope, &point.energy);
   point.x = x;
+  point.conductance = point.conductance_lower = point.conductance_upper = table[3] * point.slope;
   if (x > 0) {
     roughcontact_law_bounds bounds{};
     roughcontact_law_bounds_at(table.data(), x, point.p, &bounds);
@@ -142,10 +145,9 @@ rc_status rc_law_evaluate(const rc_law* law, double x, rc_law_point* out) {
     point.area_lower = bounds.area_lower;
     point.area_upper = bounds.area_upper;
     point.conductance_lower = table[3] * bounds.slope_lower;
-    const bool unbounded = bounds.slope_upper >= std::numeric_limits<double>::max();
+    const bool unbounded = !std::isnan(table[3]) && bounds.slope_upper >= std::numeric_limits<double>::max();
     point.conductance_upper = unbounded ? std::numeric_limits<double>::infinity() : table[3] * bounds.slope_upper;
   }
-  point.conductance = table[3] * point.slope;
   write(out, point);
   return status;
 }
@@ -176,7 +178,7 @@ rc_status rc_law_export(const rc_law* law, const char* path, rc_law_export_spec*
     rc_law_export_spec cards = read<rc_law_export_spec>(spec, "rc_law_export_spec", RC_LAW_EXPORT_SPEC_INIT);
     check_reserved(cards.reserved, "rc_law_export_spec.reserved");
     write_text(path, cards_of(exported, cards));
-    write(spec, cards);
+    spec->error = cards.error;
     return RC_OK;
   });
 }

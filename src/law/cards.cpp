@@ -47,9 +47,9 @@ class Units {
  private:
   static double fits(double value, double unit) {
     const double result = value * unit;
-    if (std::isfinite(value) && (!std::isfinite(result) || (value != 0 && std::abs(result) < 1e-290)))
+    if (!std::isfinite(result) || (value != 0 && std::abs(result) < 1e-290))
       fail(RC_ERR_ARGUMENT, "in these units a number is beyond double precision: ", value, " * ", unit,
-           "; choose other rc_law_export_spec.length and force");
+           "; choose other rc_law_export_spec.length and force, or a smaller beyond");
     return result;
   }
 
@@ -107,9 +107,11 @@ std::string columns(const Law& law, const std::vector<LawRow>& rows, const Units
   for (const LawRow& row : rows) {
     roughcontact_law_bounds bounds{};
     if (row.x > 0) roughcontact_law_bounds_at(law.table.data(), row.x, row.p, &bounds);
-    const double conductance = units.per_length(law.table[3] * row.slope) / (resistivity > 0 ? resistivity : 1);
+    const double unit = law.table[3];  // NaN: the system has no modulus
+    const double conductance = std::isnan(unit) ? unit : units.per_length(unit * row.slope) / (resistivity > 0 ? resistivity : 1);
+    const double upper = bounds.p_upper;  // infinite beyond the last node
     text += joined_line({units.x(row), units.p(row.p), units.slope(row), units.energy(row), bounds.area, conductance,
-                         units.p(bounds.p_lower), units.p(bounds.p_upper)});
+                         units.p(bounds.p_lower), std::isfinite(upper) ? units.p(upper) : upper});
   }
   return text;
 }

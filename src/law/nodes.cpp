@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace rc {
@@ -10,7 +11,9 @@ void LawNodes::add(std::vector<LawSample> fresh) {
   for (LawSample& sample : fresh) {
     const auto at =
         std::find_if(samples_.begin(), samples_.end(), [&](const LawSample& other) { return !(other.node.x < sample.node.x); });
-    if ((at != samples_.end() && !(at->node.x > sample.node.x)) || !(sample.node.p > 0)) continue;
+    const bool last = at == samples_.end();
+    if (!(sample.node.p > 0) || (!last && !(at->node.x > sample.node.x))) continue;
+    if (sample.node.p < std::prev(at)->node.p || (!last && sample.node.p > at->node.p)) continue;  // round-off
     samples_.insert(at, std::move(sample));
   }
   for (std::size_t i = 0; i + 1 < samples_.size(); ++i)

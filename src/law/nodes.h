@@ -11,7 +11,8 @@ class LawNodes {
  public:
   explicit LawNodes(const LawPatch& patch) : patch_(patch), samples_{patch.origin()} {}
 
-  // Places them by approach and finds what holds in the intervals that are new. Two at the same overclosure count as one.
+  // Places them by approach and finds what holds in the intervals that are new. Two at the same overclosure count as one,
+  // and one whose pressure is not between those of its neighbours is left out.
   void add(std::vector<LawSample> fresh);
 
   std::size_t size() const { return samples_.size(); }

@@ -36,10 +36,17 @@ LawPatch::LawPatch(const rc_system& system, const rc_options* options, const rc_
   contact_.reset(made);
   n_ = system.nx * system.ny;
   area_ = spec.area > 0 ? spec.area : static_cast<double>(n_) * system.hx * system.hy;
-  double sum = 0;
+  double sum = 0, lowest = std::numeric_limits<double>::infinity();
   for (std::int64_t i = 0; i < n_; ++i)
-    if (!spec.mask || spec.mask[i] != 0) sum += spec.undeformed_gap[i], ++open_;
+    if (!spec.mask || spec.mask[i] != 0) lowest = std::min(lowest, spec.undeformed_gap[i]), ++open_;
   if (open_ == 0) fail(RC_ERR_ARGUMENT, "all points are masked");
+  if (const double least = static_cast<double>(open_) * system.hx * system.hy; area_ < least * (1 - 1e-12))
+    fail(RC_ERR_ARGUMENT, "rc_law_spec.area = ", area_, " is smaller than the points that are not masked, ", least);
+  from_touch_.resize(static_cast<std::size_t>(n_));
+  for (std::int64_t i = 0; i < n_; ++i) {
+    from_touch_[static_cast<std::size_t>(i)] = spec.undeformed_gap[i] - lowest;
+    if (!spec.mask || spec.mask[i] != 0) sum += from_touch_[static_cast<std::size_t>(i)];
+  }
   mean_gap_ = sum / static_cast<double>(open_);
   index_.resize(static_cast<std::size_t>(n_));
   p_.resize(static_cast<std::size_t>(n_));
@@ -62,7 +69,7 @@ void LawPatch::set_options(const rc_options* given) {
 
 bool LawPatch::plastic() const { return system_.hardness > 0 && std::isfinite(system_.hardness); }
 
-LawSample LawPatch::origin() const { return {RC_LAW_NODE_INIT, 0, 0, true, LawPoints(n_), LawPoints(n_)}; }
+LawSample LawPatch::origin() const { return {.contacts = LawPoints(n_), .capped = LawPoints(n_)}; }
 
 // The functional at the constant pressure p on a flat gap is (p^2/2 1'H1 - d p n) hx hy.
 double LawPatch::pressed_flat() {
@@ -91,7 +98,7 @@ LawSample LawPatch::solve(std::int32_t control, double target) {
   step.control = control;
   step.target = target;
   if (!placed_) {
-    step.undeformed_gap.data = spec_.undeformed_gap;
+    step.undeformed_gap.data = from_touch_.data();
     step.mask.data = spec_.mask;
   }
   rc_result result = RC_RESULT_INIT;

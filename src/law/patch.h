@@ -3,6 +3,7 @@
 
 #include <roughcontact/law.h>
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -13,10 +14,10 @@ namespace rc {
 
 // A solved node.
 struct LawSample {
-  rc_law_node node = RC_LAW_NODE_INIT;  // bounds and between_...: of no interval yet
-  double approach = 0;
-  double bounded_to = 0;  // approach of the next node for which node.bounds holds
-  bool proven = true;     // load and stiffness lie in proven intervals
+  rc_law_node node = RC_LAW_NODE_INIT;                           // bounds and between_...: of no interval yet
+  double approach = 0;                                           // from first touch on
+  double bounded_to = std::numeric_limits<double>::quiet_NaN();  // approach of the next node for which node.bounds holds
+  bool proven = true;                                            // load and stiffness lie in proven intervals
   LawPoints contacts, capped;
 };
 
@@ -65,7 +66,8 @@ class LawPatch {
   std::int64_t solves_ = 0;
   std::unique_ptr<rc_options, Destroy> options_;
   std::unique_ptr<rc_contact, Destroy> contact_;
-  bool placed_ = false;  // the contact has the surface
+  bool placed_ = false;             // the contact has the surface
+  std::vector<double> from_touch_;  // the undeformed gap, with 0 at the lowest point
   std::vector<std::int64_t> index_;
   std::vector<double> p_, gap_;
 };

@@ -1,5 +1,6 @@
 #include "table.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdint.h>
 
@@ -50,6 +51,7 @@ int roughcontact_law_pressure(const double* table, double x, double* p, double* 
     if (energy) *energy = 0;
     return 0;
   }
+  if (x > DBL_MAX) return -1;
   piece = piece_at(table, x);
   t = x - piece[0];
   *p = piece[1] + t * (piece[2] + t * piece[3]);
@@ -72,6 +74,7 @@ int roughcontact_law_overclosure(const double* table, double p, double* x) {
     *x = 0;
     return 0;
   }
+  if (p > DBL_MAX) return -1;
   piece = last_at(pieces(table) + 1, (int)table[1], law_table_piece, p) - 1;
   excess = p - piece[1];
   *x = excess > 0 ? piece[0] + 2 * excess / (piece[2] + slope_on(piece, excess)) : piece[0];
@@ -85,6 +88,7 @@ int roughcontact_law_slope(const double* table, double p, double* slope) {
     *slope = 0;
     return 0;
   }
+  if (p > DBL_MAX) return -1;
   piece = last_at(pieces(table) + 1, (int)table[1], law_table_piece, p) - 1;
   *slope = slope_on(piece, p - piece[1]);
   return outside(table, piece, p - piece[1]);
@@ -109,8 +113,12 @@ void roughcontact_law_bounds_at(const double* table, double x, double p, struct 
   }
   {
     const double rest = next[0] - x, rise = next[6] - node[6], share = rise > 0 ? (p - node[6]) / rise : 0;
-    bounds->p_lower = larger(larger(node[1], node[1] + node[3] * t), next[1] - node[4] * rest);
-    bounds->p_upper = smaller(smaller(next[2], node[2] + node[4] * t), next[2] - node[3] * rest);
+    bounds->p_lower = larger(node[1], node[1] + node[3] * t);
+    bounds->p_upper = smaller(next[2], next[2] - node[3] * rest);
+    if (node[4] < DBL_MAX) { /* a bound is known */
+      bounds->p_lower = larger(bounds->p_lower, next[1] - node[4] * rest);
+      bounds->p_upper = smaller(bounds->p_upper, node[2] + node[4] * t);
+    }
     if (node[5] == 1) bounds->p_upper = smaller(bounds->p_upper, node[2] + (next[2] - node[2]) * (t / (next[0] - node[0])));
     bounds->area = node[7] + (next[7] - node[7]) * larger(0, smaller(1, share));
     bounds->area_upper = next[9];

@@ -6,7 +6,8 @@
  *   pieces: x, p, dp/dx, half of d2p/dx2 and energy where each begins; two for an interval between nodes, one beyond the last
  *   nodes: x, p_lower, p_upper, between_lower, between_upper, bounds, p, area, area_lower, area_upper
  *   buckets: the last piece that begins at or before each of 64 values of x an octave
- * Every function returns 0, 106 (RC_OUTSIDE) beyond the last node or -1 (RC_ERR_ARGUMENT) for NaN, and keeps nothing. */
+ * Every function returns 0, 106 (RC_OUTSIDE) beyond the last node or -1 (RC_ERR_ARGUMENT) for NaN and infinity, and keeps
+ * nothing. */
 #ifndef ROUGHCONTACT_LAW_TABLE_H
 #define ROUGHCONTACT_LAW_TABLE_H
 

@@ -1,6 +1,7 @@
 #include "law/text_file.h"
 
 #include <chrono>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -14,30 +15,35 @@ namespace rc {
 namespace fs = std::filesystem;
 
 std::string read_text(const char* path) {
-  std::ifstream file(rc_platform::path_of(path), std::ios::binary);
+  const fs::path source = rc_platform::path_of(path);
+  std::error_code none;
+  if (!fs::is_regular_file(source, none)) fail(RC_ERR_ARGUMENT, path, ": cannot be read: there is no such file");
+  std::ifstream file(source, std::ios::binary);
   std::string text((std::istreambuf_iterator<char>(file)), {});
   if (!file.is_open() || file.bad() || text.empty()) fail(RC_ERR_ARGUMENT, path, ": cannot be read, or is empty");
   return text;
 }
 
+namespace {
+
+bool written(std::FILE* file, const std::string& text) {
+  if (!file) return false;
+  const bool whole = std::fwrite(text.data(), 1, text.size(), file) == text.size() && rc_platform::bring_to_disk(file);
+  return std::fclose(file) == 0 && whole;
+}
+
+}  // namespace
+
 void write_text(const char* path, const std::string& text) {
-  const fs::path target = rc_platform::path_of(path);
+  fs::path target = rc_platform::path_of(path);
+  std::error_code error;
+  if (fs::is_symlink(target, error)) target = fs::canonical(target, error);
+  if (fs::exists(target, error) && !fs::is_regular_file(target, error))
+    fail(RC_ERR_ARGUMENT, path, ": cannot be written: it is there already, and no file");
   fs::path beside = target;
   beside += join(".new.", std::chrono::steady_clock::now().time_since_epoch().count());
-  const auto write = [&] {
-    std::ofstream file(beside, std::ios::binary);
-    file.write(text.data(), static_cast<std::streamsize>(text.size()));
-    file.close();
-    return file.good();
-  };
-  std::error_code error;
-  if (write())
-    fs::rename(beside, target, error);
-  else
-    error = std::make_error_code(std::errc::io_error);
-  if (!error) return;
-  std::error_code ignored;
-  fs::remove(beside, ignored);
+  if (written(rc_platform::create_new(beside), text) && rc_platform::rename_over(beside, target)) return;
+  fs::remove(beside, error);
   fail(RC_ERR_ARGUMENT, path, ": cannot be written");
 }
 

@@ -168,6 +168,8 @@ void damaged_files_are_refused() {
   refuses(load("roughcontact-law 2\n"), "version 2", "a newer version");
   refuses(rc_law_load((folder / "none.law").c_str(), &law), "none.law: cannot be read", "no file");
   refuses(rc_law_save(usual_law(), (folder / "none/a.law").c_str()), "cannot be written", "no folder");
+  refuses(rc_law_save(usual_law(), (folder / ".").c_str()), "no file", "a folder");
+  refuses(rc_law_load((folder / ".").c_str(), &law), "cannot be read", "a folder");
   check_equal(static_cast<std::int64_t>(folder.files()), 1, "files left");
 }
 
@@ -243,6 +245,7 @@ void tables_hold_the_law() {
   refused("beyond double precision", [](rc_law_export_spec& bad) { bad.force = 1e308, bad.length = 1e-6; });
   refused("nearer than 1e-10", [](rc_law_export_spec& bad) { bad.length = 1e-8; });
   refused("rc_law_export_spec.beyond", [](rc_law_export_spec& bad) { bad.beyond = 0.5; });
+  refused("beyond double precision", [](rc_law_export_spec& bad) { bad.beyond = 1e308, bad.length = 1e6; });
   check(content(path) == before && folder.files() == 1, "a refused export leaves the file as it was");
 }
 
@@ -268,6 +271,32 @@ void the_evaluation_stands_alone() {
   }
 }
 
+// A constant added to the gap changes nothing but round-off.
+void the_datum_does_not_matter() {
+  for (const double datum : {-2.0, 0.5}) {
+    Patch patch = usual_patch(16);
+    const LawHandle law = made(patch);
+    for (double& gap : patch.problem.gap) gap += datum;
+    const LawHandle moved = made(patch);
+    const rc_law_info info = describe(law.get()), other = describe(moved.get());
+    check(std::abs(other.mean_gap / info.mean_gap - 1) < 1e-9 && other.bounds == info.bounds, "infos");
+    for (const double share : {0.01, 0.1, 0.5, 1.0}) {
+      const rc_law_point a = evaluate(law.get(), share * info.x_upper), b = evaluate(moved.get(), share * info.x_upper);
+      check(std::abs(b.p / a.p - 1) < 2e-3 && b.p_lower <= a.p_upper && a.p_lower <= b.p_upper, "p at " + text(a.x));
+    }
+  }
+}
+
+void no_bound_is_beyond_the_hardness() {
+  std::vector<Patch> all = patches(16);
+  for (const Patch& patch : all) {
+    if (!(patch.problem.system.hardness > 0)) continue;
+    const LawHandle law = made(patch);
+    const rc_law_point point = evaluate(law.get(), 1e6 * describe(law.get()).x_upper);
+    check(point.p_lower <= patch.problem.system.hardness, patch.name + ": " + text(point.p_lower));
+  }
+}
+
 void bad_input_is_refused() {
   const auto refused = [](rc_status status, const std::string& part, auto change) {
     Patch patch = usual_patch(16);
@@ -286,6 +315,8 @@ void bad_input_is_refused() {
   refused(bad, "bulk_stiffness", [](Patch& patch) { patch.spec.bulk = RC_LAW_BULK_GIVEN; });
   refused(bad, "max_nodes", [](Patch& patch) { patch.spec.max_nodes = 2; });
   refused(bad, "area", [](Patch& patch) { patch.spec.area = -1; });
+  refused(bad, "smaller than the points", [](Patch& patch) { patch.spec.area = 1e-3; });
+  refused(RC_ERR_INCOMPATIBLE, "RC_LAW_BULK_MEAN", [](Patch& patch) { patch.spec.bulk = RC_LAW_BULK_MEAN; });
   refused(bad, "not finite", [](Patch& patch) { patch.problem.gap[3] = std::nan(""); });
   refused(RC_ERR_INFEASIBLE, "is closed", [](Patch& patch) { patch.spec.p_upper = 1000; });
   refused(RC_ERR_INFEASIBLE, "hardness", [](Patch& patch) { patch.problem.system.hardness = 0.001; });
@@ -301,7 +332,13 @@ void bad_input_is_refused() {
   refuses(rc_law_pressure(nullptr, 1, &value, nullptr, nullptr), "null", "no law");
   refuses(rc_law_overclosure(usual_law(), std::nan(""), &value), "NaN", "NaN");
   refuses(rc_law_gap_conductance(usual_law(), 1, 0, 0, &value), "rho1", "no resistivity");
+  const double infinity = std::numeric_limits<double>::infinity();
+  refuses(rc_law_pressure(usual_law(), infinity, &value, nullptr, nullptr), "infinite", "infinity");
+  refuses(rc_law_overclosure(usual_law(), infinity, &value), "infinite", "infinity");
+  refuses(rc_law_gap_conductance(usual_law(), infinity, 1, 1, &value), "infinite", "infinity");
+  check_equal(rc_law_pressures(usual_law(), 0, nullptr, nullptr, nullptr, nullptr), RC_OK, "no overclosure");
   rc_law_point point = RC_LAW_POINT_INIT;
+  refuses(rc_law_evaluate(usual_law(), infinity, &point), "not finite", "infinity");
   refuses(rc_law_evaluate(usual_law(), std::nan(""), &point), "NaN", "NaN");
   point.struct_size = 8;
   refuses(rc_law_evaluate(usual_law(), 1, &point), "struct_size", "a small struct");
@@ -330,6 +367,8 @@ int main(int argc, char** argv) {
                            {"damaged files are refused", damaged_files_are_refused},
                            {"tables hold the law", tables_hold_the_law},
                            {"the evaluation stands alone", the_evaluation_stands_alone},
+                           {"the datum does not matter", the_datum_does_not_matter},
+                           {"no bound is beyond the hardness", no_bound_is_beyond_the_hardness},
                            {"bad input is refused", bad_input_is_refused},
                            {"a name stands for one law", a_name_stands_for_one_law}},
                           argc, argv);

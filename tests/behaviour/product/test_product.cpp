@@ -107,6 +107,10 @@ void refusals() {
   refused(nullptr, p.data(), u.data(), "product is null");
   refused(product.get(), nullptr, u.data(), "p is null");
   refused(product.get(), p.data(), nullptr, "u is null");
+  check_equal(rc_product_apply(product.get(), p.data(), 1, nx, u.data(), 0, nx), RC_ERR_ARGUMENT, "u_x = 0");
+  check_equal(rc_product_apply(product.get(), p.data(), INT64_MAX, nx, u.data(), 1, nx), RC_ERR_ARGUMENT, "p_x = INT64_MAX");
+  check_equal(rc_product_apply(product.get(), Field(p.size(), 1e308).data(), 1, nx, u.data(), 1, nx), RC_ERR_NUMERIC, "overflow");
+  check_same(u, Field(u.size(), 5), "u after an overflow");
   p[nx + 2] = NAN;
   refused(product.get(), p.data(), u.data(), "p at point (2, 1) = nan is not finite");
   check_same(u, Field(u.size(), 5), "u after a refusal");
