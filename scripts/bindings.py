@@ -151,7 +151,7 @@ def fortran_member(name: str, kind: Type, struct: Struct, interface: Interface) 
     if kind.stars:
         return ("type(c_ptr)", c_words(kind)), f"{name} = c_null_ptr"
     if kind.base in known:
-        return (f"type({kind.base})", ""), name
+        return (f"type({kind.base})", ""), f"{name} = {kind.base}()"
     extent, value = f"({kind.array})" if kind.array else "", fortran_number(struct.initial.get(name, "0"), kind)
     return (KINDS[kind.base], ""), f"{name}{extent} = {'c_null_char' if kind.base == 'char' else value}"
 

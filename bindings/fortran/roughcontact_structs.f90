@@ -37,13 +37,13 @@ module roughcontact_structs
     integer(c_size_t) :: struct_size = merge(104, 76, c_intptr_t == 8)
     integer(c_int32_t) :: control = 0, warm_start = 1
     real(c_double) :: target = 0
-    type(rc_const_array) :: undeformed_gap, mask, p0
+    type(rc_const_array) :: undeformed_gap = rc_const_array(), mask = rc_const_array(), p0 = rc_const_array()
     integer(c_int32_t) :: borrow = 0, reserved = 0
   end type
 
   type, bind(c) :: rc_result
     integer(c_size_t) :: struct_size = merge(616, 596, c_intptr_t == 8)
-    type(rc_array) :: p, gap
+    type(rc_array) :: p = rc_array(), gap = rc_array()
     integer(rc_status) :: status = RC_ERR_ARGUMENT
     integer(c_int32_t) :: reserved = 0
     real(c_double) :: load = 0, approach = 0, mean_pressure = 0, max_pressure = 0, contact_area = 0, area_fraction = 0, &

@@ -1,7 +1,6 @@
 #include "law/text_file.h"
 
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -24,16 +23,6 @@ std::string read_text(const char* path) {
   return text;
 }
 
-namespace {
-
-bool written(std::FILE* file, const std::string& text) {
-  if (!file) return false;
-  const bool whole = std::fwrite(text.data(), 1, text.size(), file) == text.size() && rc_platform::bring_to_disk(file);
-  return std::fclose(file) == 0 && whole;
-}
-
-}  // namespace
-
 void write_text(const char* path, const std::string& text) {
   fs::path target = rc_platform::path_of(path);
   std::error_code error;
@@ -42,7 +31,16 @@ void write_text(const char* path, const std::string& text) {
     fail(RC_ERR_ARGUMENT, path, ": cannot be written: it is there already, and no file");
   fs::path beside = target;
   beside += join(".new.", std::chrono::steady_clock::now().time_since_epoch().count());
-  if (written(rc_platform::create_new(beside), text) && rc_platform::rename_over(beside, target)) return;
+  const auto write = [&] {
+    std::ofstream file(beside, std::ios::binary);
+    file.write(text.data(), static_cast<std::streamsize>(text.size()));
+    file.close();
+    return file.good();
+  };
+  if (write()) {
+    fs::rename(beside, target, error);
+    if (!error) return;
+  }
   fs::remove(beside, error);
   fail(RC_ERR_ARGUMENT, path, ": cannot be written");
 }

@@ -1,5 +1,6 @@
 """The first example of docs/python.md works when copied into an empty folder; so does every other one, after it."""
 
+import importlib
 import pathlib
 import re
 import subprocess
@@ -70,6 +71,19 @@ def test_a_texture_is_fitted_and_heights_are_carried_to_the_load():
     for line in uncertain:
         linear, sampled = (float(number) for number in re.findall(r"([\d.]+) N(?=,|$)", line)[1:])
         assert linear == pytest.approx(sampled, rel=0.25)
+
+
+def test_a_micro_simulation_goes_back_to_a_state(monkeypatch):
+    monkeypatch.syspath_prepend(DOCUMENT.parents[1] / "examples")
+    micro = importlib.import_module("micro_simulation")
+    point, other = micro.MicroSimulation(0), micro.MicroSimulation(1)
+    assert point.initialize() == point.solve({"overclosure": -1e-7}, 1.0) == {"pressure": 0.0, "slope": 0.0}
+    first, step = point.solve({"overclosure": 3e-7}, 1.0), 1e-10
+    state = point.get_state()
+    beyond = point.solve({"overclosure": 3e-7 + step}, 1.0)
+    assert (beyond["pressure"] - first["pressure"]) / step == pytest.approx(first["slope"], rel=0.02)
+    other.set_state(state)
+    assert other.solve({"overclosure": 3e-7}, 1.0)["pressure"] == pytest.approx(first["pressure"], rel=1e-6)
 
 
 def test_everything_public_is_documented():

@@ -1,0 +1,20 @@
+"""The pressure of a rough interface for 4C, from the contact law in the file of this name that ends in .law.
+
+4C imports the file that its input names, and calls both functions where gap + offset is negative.
+"""
+
+from pathlib import Path
+
+import roughcontact
+
+LAW = roughcontact.Law.load(Path(__file__).with_suffix(".law"))
+
+
+def evaluate(gap, offset):
+    """Minus the nominal pressure."""
+    return -float(LAW(-(gap + offset)))
+
+
+def evaluate_derivative(gap, offset):
+    """Its derivative by the gap, which is the law's slope."""
+    return float(LAW.slope(-(gap + offset)))
