@@ -65,6 +65,7 @@ docs/fortran
 docs/octave
 docs/fem
 integrations/README
+integrations/4c/README
 integrations/mirco/README
 docs/surface-files
 docs/surfaces
