@@ -99,7 +99,7 @@ else
     RC_TEST_QUICK=1 verify asan "-DRC_TEST_FAMILIES=" -LE 'slow|full' -E 'failures|pairs\.(analytic|invariance\.(repetitions|sequences))'
   else
     families="behaviour/batch behaviour/device behaviour/formats behaviour/honesty behaviour/threads contract/backends contract/errors"
-    families+=" contract/options contract/plugins faults/process"
+    families+=" contract/options contract/plugins behaviour/law behaviour/product faults/process"
     RC_TEST_QUICK=1 verify asan "-DRC_TEST_FAMILIES=${families// /;}" -LE 'slow|full'
   fi
 
