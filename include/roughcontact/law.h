@@ -62,7 +62,7 @@ typedef struct rc_law_spec {
 RC_API rc_status rc_law_create(const rc_system *system, const rc_options *options, const rc_law_spec *spec, rc_law **out);
 RC_API void rc_law_destroy(rc_law *law);
 
-/** What a law is. All of it is written. */
+/** Facts about a law. The library writes every member. */
 typedef struct rc_law_info {
   size_t struct_size;
   int64_t nodes;         /* the origin included                                                                       */
@@ -82,7 +82,7 @@ typedef struct rc_law_info {
 #define RC_LAW_INFO_INIT RC_BEGIN(rc_law_info)
 RC_API rc_status rc_law_describe(const rc_law *law, rc_law_info *out);
 
-/** One node, as it was solved. All of it is written. */
+/** One node, as it was solved. The library writes every member. */
 typedef struct rc_law_node {
   size_t struct_size;
   double x, p, p_lower, p_upper;              /* overclosure [length], nominal pressure at it                         */
@@ -113,7 +113,7 @@ RC_API rc_status rc_law_overclosure(const rc_law *law, double p, double *x);
  *  Errors: ARGUMENT (also if the system has no modulus). */
 RC_API rc_status rc_law_gap_conductance(const rc_law *law, double p, double rho1, double rho2, double *conductance);
 
-/** All that a law says at one overclosure. All of it is written. */
+/** Every quantity of a law at one overclosure. The library writes every member. */
 typedef struct rc_law_point {
   size_t struct_size;
   double x, p, p_lower, p_upper; /* the exact p of the grid lies between these; p_upper infinite beyond the last node  */

@@ -12,7 +12,7 @@ template <class Body> rc_status exclusively(const char* where, rc_contact* conta
   return rc::exclusively(where, contact, "contact", [&](rc_contact& entered) { return body(entered.contact); });
 }
 
-// The same, but callbacks of the contact's may call it, too.
+// The same, for functions that a callback of this contact may call.
 template <class Body> rc_status exclusively_or_inside(const char* where, rc_contact* contact, const Body& body) {
   if (contact && contact->entrance.inside()) return guard(where, [&] { return body(contact->contact); });
   return exclusively(where, contact, body);

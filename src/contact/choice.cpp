@@ -22,7 +22,7 @@ constexpr std::int64_t least_dilute_points = 512 * 512;
 // The choice for sparse contact comes before the unknowns are known: it assumes no more than this.
 constexpr std::int64_t most_few = 1 << 24;
 constexpr double few_share = 0.05;  // of the grid's points: products that cost by the contact are cheaper below
-// Where processes share products by rows, but not the unknowns, these are to take each rank less time than its rows.
+// If processes share products by rows, but not the unknowns, the unknowns must take each process less time than its rows.
 constexpr double few_share_by_rows = 0.01;
 constexpr std::int64_t most_few_by_rows = 1 << 17;
 

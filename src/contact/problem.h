@@ -23,7 +23,7 @@ class Operators;
 struct Attempt;
 struct Spectrum;
 
-// What a caller asks of a contact; contacts of coarser grids have nothing of it.
+// Requests of the caller. Contacts of coarser grids have none.
 struct Goal {
   double error = 0;  // the option accuracy: a relative error; 0: none
   bool of_area = false;

@@ -14,6 +14,7 @@
 #include "contact/calls/contact.h"
 #include "contact/calls/many.h"
 #include "contact/calls/many_check.h"
+#include "contact/calls/step_outputs.h"
 #include "core/caught.h"
 #include "core/limits.h"
 
@@ -74,22 +75,9 @@ struct Request {
 
   void write(std::int64_t i, std::int64_t k, const Numbers& numbers, const System& system) const {
     const std::int64_t at = i * given.steps + k;
-    put(given.load, at, numbers.load(system));
-    put(given.approach, at, numbers.approach);
-    put(given.contact_area, at, contact_area(numbers, system));
-    put(given.mean_gap, at, numbers.mean_gap);
-    put(given.energy, at, numbers.energy(system));
-    put(given.stiffness, at, numbers.stiffness.value);
-    put(given.load_lower, at, numbers.bounds.load_lower);
-    put(given.load_upper, at, numbers.bounds.load_upper);
-    put(given.area_lower, at, numbers.bounds.area_lower);
-    put(given.area_upper, at, numbers.bounds.area_upper);
-    put(given.stiffness_lower, at, numbers.stiffness.lower);
-    put(given.stiffness_upper, at, numbers.stiffness.upper);
-    put(given.certificate, at, numbers.certificate.worst());
+    put_numbers(given, at, numbers, system);
     put(given.status, at, numbers.status);
     put(given.iterations, at, numbers.work.iterations);
-    put(given.products, at, numbers.work.products);
   }
   // Steps from `k` on have no answer.
   void write_none(std::int64_t i, std::int64_t k, rc_status status) const {
@@ -101,11 +89,6 @@ struct Request {
       put(given.status, at, status);
       for (std::int64_t* const counts : {given.iterations, given.products}) put(counts, at, std::int64_t{-1});
     }
-  }
-
- private:
-  template <class Number> static void put(Number* to, std::int64_t at, Number value) {
-    if (to) to[at] = value;
   }
 };
 

@@ -13,7 +13,7 @@
 
 namespace rc {
 
-// What each step is asked for.
+// Settings that a history changes for its steps.
 struct Asked {
   std::int64_t stiffness, bounds;  // the options of these names
   bool leaves_indentation;         // whether it leaves a plastic indentation to those after it
@@ -28,7 +28,7 @@ class Contact {
   Watcher& watcher() { return grid_.watcher(); }
   void set_options(const rc_options& options);
 
-  // These two take arrays on a device, too. compression: as for GridContact.
+  // solve and certify accept arrays on a device. compression: see GridContact.
   Numbers solve(const rc_step& step, const Outputs& outputs);
   Numbers certify(const rc_step& step, const Outputs& outputs, std::optional<double> compression = std::nullopt);
   // Of the last step's answer; model_nx = 0: it has none.

@@ -63,7 +63,7 @@ OnHost::OnHost(GridProblem& problem, HeldCopies& held, const rc_step& given, con
   }
 }
 
-// Puts a copy on the host, or room for one, in the place of an array on a device.
+// Replaces an array on a device by a copy on the host, or by room for one.
 template <class Array>
 void OnHost::bring(Array& array, std::size_t native, std::unique_ptr<std::byte[]>& copy, const char* name, bool given) {
   if (!array.memory) return;

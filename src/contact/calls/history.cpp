@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/calls/step_outputs.h"
 #include "core/error.h"
 
 namespace rc {
@@ -32,27 +33,6 @@ rc_step history_step(const rc_history& history, std::int64_t i) {
     step.mask.data = history.mask;
   }
   return step;
-}
-
-template <class Number> void put(Number* to, std::int64_t i, Number value) {
-  if (to) to[i] = value;
-}
-
-void write_outputs(const rc_history& history, std::int64_t i, const Numbers& numbers, const System& system) {
-  put(history.load, i, numbers.load(system));
-  put(history.approach, i, numbers.approach);
-  put(history.contact_area, i, contact_area(numbers, system));
-  put(history.mean_gap, i, numbers.mean_gap);
-  put(history.energy, i, numbers.energy(system));
-  put(history.stiffness, i, numbers.stiffness.value);
-  put(history.load_lower, i, numbers.bounds.load_lower);
-  put(history.load_upper, i, numbers.bounds.load_upper);
-  put(history.area_lower, i, numbers.bounds.area_lower);
-  put(history.area_upper, i, numbers.bounds.area_upper);
-  put(history.stiffness_lower, i, numbers.stiffness.lower);
-  put(history.stiffness_upper, i, numbers.stiffness.upper);
-  put(history.certificate, i, numbers.certificate.worst());
-  put(history.products, i, numbers.work.products);
 }
 
 std::string where(const rc_history& history, std::int64_t i) {
@@ -123,7 +103,7 @@ rc_status solve_history(Contact& contact, const rc_history& history, const Histo
       set_message(where(history, i).c_str(), last_message()[0] != '\0' ? last_message() : rc_status_text(status));
       return status;
     }
-    write_outputs(history, i, numbers, contact.problem().system);
+    put_numbers(history, i, numbers, contact.problem().system);
     completed = i + 1;
     if (!history.fn) continue;
     rc_result result = result_with({outputs.p, wants.shown_gap ? outputs.gap : OutputArray()});

@@ -7,7 +7,7 @@
 
 namespace rc {
 
-// What a history asks of every step; the same in all ranks.
+// Outputs that a history wants of every step. All ranks have the same.
 struct HistoryWants {
   bool virgin = false;
   bool shown_gap = false, gap = false;     // the caller's function sees it; it is computed at all points

@@ -151,7 +151,7 @@ void GridContact::adopt(StepSurface&& given) {
   problem_.surface = std::move(given);
 }
 
-// The operators of coarser grids forget, too.
+// Includes the operators of coarser grids.
 void GridContact::forget_operators() {
   problem_.operators().forget();
   grids_.forget();

@@ -56,7 +56,7 @@ class ContactSetSolve {
     std::vector<std::size_t> place;  // of each point of the set
     std::vector<std::uint8_t> active;
     std::vector<float> g, p;  // what they are given, and what they make of it
-    std::size_t before = 0;   // values before the first, which belong to the previous rank
+    std::size_t before = 0;   // values before the first, which belong to processes before this one
     std::unique_ptr<std::byte[]> memory;
   };
   template <class Real> struct Vectors {
