@@ -20,7 +20,7 @@ const rc_option_spec precision = {.struct_size = sizeof(rc_option_spec),
 const rc_option_spec* const options[] = {&precision};
 constexpr rc_backend backend =
     roughcontact::backend<HalfSpace>("fast Fourier transforms on the box of the points that may carry pressure", "BSD-3-Clause",
-                                     RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_ROWS | RC_CAP_THREAD_INVARIANT, options);
+                                     RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_SEMI_PERIODIC | RC_CAP_ROWS | RC_CAP_THREAD_INVARIANT, options);
 constexpr const rc_backend* backends[] = {&backend};
 constexpr rc_plugin plugin = roughcontact::plugin("fft", "0.1.0", backends);
 

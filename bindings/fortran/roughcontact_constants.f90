@@ -13,7 +13,8 @@ module roughcontact_constants
     RC_ERR_BUSY = -12, RC_ERR_INTERNAL = -99
   integer(c_int32_t), parameter :: RC_NATIVE = 0, RC_SINGLE = 1
   integer(c_int32_t), parameter :: RC_OPERATOR_HALFSPACE = 1, RC_OPERATOR_DENSE = 2, RC_OPERATOR_CALLBACK = 3
-  integer(c_int32_t), parameter :: RC_BOUNDARY_FREE = 1, RC_BOUNDARY_PERIODIC = 2
+  integer(c_int32_t), parameter :: RC_BOUNDARY_FREE = 1, RC_BOUNDARY_PERIODIC = 2, RC_BOUNDARY_PERIODIC_X = 3, &
+    RC_BOUNDARY_PERIODIC_Y = 4
   integer(c_int32_t), parameter :: RC_CONTROL_APPROACH = 1, RC_CONTROL_LOAD = 2
   integer(c_int32_t), parameter :: RC_BATCH_SHARED = -1
   integer(c_int32_t), parameter :: RC_LAW_BULK_AUTO = 0, RC_LAW_BULK_NONE = 1, RC_LAW_BULK_GIVEN = 2, RC_LAW_BULK_MEAN = 3

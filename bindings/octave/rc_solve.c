@@ -108,9 +108,11 @@ static rc_status set_number(Request* request, const char* field, double value) {
 
 static rc_status set_text(Request* request, const char* field, const char* value) {
   if (!strcmp(field, "boundary")) {
-    if (!strcmp(value, "free")) return request->system.boundary = RC_BOUNDARY_FREE, RC_OK;
-    if (!strcmp(value, "periodic")) return request->system.boundary = RC_BOUNDARY_PERIODIC, RC_OK;
-    return refuse(request, RC_ERR_ARGUMENT, "opts.boundary = \"%s\" is not known; give \"free\" or \"periodic\"", value);
+    static const char* const names[] = {"free", "periodic", "periodic-x", "periodic-y"};
+    for (int32_t i = 0; i < 4; ++i)
+      if (!strcmp(value, names[i])) return request->system.boundary = RC_BOUNDARY_FREE + i, RC_OK;
+    return refuse(request, RC_ERR_ARGUMENT,
+                  "opts.boundary = \"%s\" is not known; give \"free\", \"periodic\", \"periodic-x\" or \"periodic-y\"", value);
   }
   rc_option_spec spec;
   return keep_message(request, rc_options_parse(request->options, find_option(field, &spec) ? spec.key : field, value));

@@ -66,7 +66,7 @@ typedef struct rc_crossing {
 
 /** @defgroup analysis Analysis: what a contact looks like
  *  Functions of pressures alone, the caller's or a result's, without handles; any thread. Of the system nx, ny, hx, hy and the
- *  boundary count: RC_BOUNDARY_PERIODIC joins opposite sides of the grid. For DENSE and CALLBACK the points are taken as a free
+ *  boundary count: RC_BOUNDARY_PERIODIC joins opposite sides of the grid, _X and _Y those of their axis. For DENSE and CALLBACK the points are taken as a free
  *  grid of nx by ny. p [nx*ny]: >= 0; a point is in contact where p > 0. mask [nx*ny]: 0: not in contact, its p is ignored
  *  (it may be NaN); NULL: all points. Nothing is written by a call that fails. The same bits in every run.
  *  Errors: ARGUMENT (null, NaN or negative p, the struct's own limits), SHAPE (nx, ny), MEMORY.

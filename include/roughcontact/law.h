@@ -7,7 +7,7 @@
  * Overclosure. x = 0 is first touch of the undeformed bodies, x > 0 brings them nearer. What the half-space below the patch yields
  * as a whole is not in x, because the mesh of a finite element program yields there already:
  *   periodic boundaries   x = approach: it is the change of the gap between the mean planes, and nothing is subtracted.
- *   free boundaries       x = change of the mean gap, or approach - load / (a given stiffness), see rc_law_spec.bulk.
+ *   others                x = change of the mean gap, or approach - load / (a given stiffness), see rc_law_spec.bulk.
  *
  * Bounds. Where the contact sets of two neighbouring nodes are nested, p is convex between them: it lies above both tangents and
  * below the chord (RC_LAW_CONVEX). With a hardness the slope lies between those of two contact sets (RC_LAW_SLOPES). Otherwise p
@@ -46,7 +46,7 @@ typedef struct rc_law_spec {
   double tolerance;      /* half the width of the bounds of p, over p: 1e-6 .. 0.1; 1e-3 unless set                   */
   double tolerance_conductance; /* the same for the conductance, 1e-4 .. 1: more nodes. 0: as it comes (default)      */
   int32_t bulk;          /* RC_LAW_BULK_*. NONE: x = approach. GIVEN: x = approach - load / bulk_stiffness. MEAN, for a
-                            half-space with free boundaries: x = change of the mean gap. AUTO: MEAN there, else NONE   */
+                            half-space with free or semi-periodic boundaries: x = change of the mean gap. AUTO: MEAN there, else NONE */
   int32_t reserved;      /* 0                                                                                         */
   double bulk_stiffness; /* GIVEN: > 0 [force/length]; else 0                                                         */
   int64_t max_nodes;     /* >= 3; 0: 10000. A law that needs more ends with RC_STOP_MAX_ITER                          */

@@ -121,13 +121,15 @@ typedef struct rc_domain {
 
 /* Capabilities of a backend (rc_backend.caps). Some bits stand for an optional function: registration fails if a bit is set and
  * its function is NULL, or the reverse. In C++ roughcontact::backend sets these bits. */
-/* Systems; at least one of the first four */
+/* Systems; at least one of the first four, or SEMI_PERIODIC */
 #define RC_CAP_FREE (UINT64_C(1) << 0)        /* half-space grids with free boundaries                         */
 #define RC_CAP_PERIODIC (UINT64_C(1) << 1)    /* half-space grids with periodic boundaries                     */
 #define RC_CAP_DENSE_INPUT (UINT64_C(1) << 2) /* the caller's dense matrix                                     */
 #define RC_CAP_CALLBACK (UINT64_C(1) << 3)    /* the caller's product                                          */
 #define RC_CAP_FAR_FIELD (UINT64_C(1) << 4)   /* only for kernels with RC_KERNEL_FAR_FIELD                     */
 #define RC_CAP_ROWS (UINT64_C(1) << 5)        /* grids that ranks share: reads rc_operator_spec.rows           */
+#define RC_CAP_SEMI_PERIODIC (UINT64_C(1) << 13) /* half-space grids that repeat along one axis: H(i, j) depends on |xi - xj|
+                                                and |yi - yj| as with free boundaries, window() has its coefficients */
 /* Products */
 #define RC_CAP_THREAD_INVARIANT (UINT64_C(1) << 6) /* bitwise equal for any number of threads                  */
 #define RC_CAP_APPROXIMATE (UINT64_C(1) << 7)      /* may be off by about 1e-11 of the largest entry           */
@@ -465,9 +467,10 @@ typedef struct rc_solver {
 #define RC_KERNEL_FREE (UINT64_C(1) << 0)      /* free boundaries: has window()                                          */
 #define RC_KERNEL_PERIODIC (UINT64_C(1) << 1)  /* periodic boundaries: has symbol()                                      */
 #define RC_KERNEL_SQUARE (UINT64_C(1) << 2)    /* cells must be square                                                   */
-#define RC_KERNEL_POSITIVE (UINT64_C(1) << 3)  /* free boundaries: no coefficient is negative                            */
+#define RC_KERNEL_POSITIVE (UINT64_C(1) << 3)  /* no coefficient of window() is negative                                 */
 #define RC_KERNEL_FAR_FIELD (UINT64_C(1) << 4) /* from 16 cells on it deflects as loads on the half-space near the cell's
                                                   centre would, to 1e-9                                                  */
+#define RC_KERNEL_SEMI_PERIODIC (UINT64_C(1) << 5) /* grids that repeat along one axis: has window()                     */
 
 typedef struct rc_kernel rc_kernel;
 
@@ -475,7 +478,7 @@ typedef struct rc_kernel rc_kernel;
 typedef struct rc_kernel_spec {
   size_t struct_size;
   const rc_kernel *kernel;
-  const rc_system *system;   /* dimensionless: modulus 1. nx and ny matter to symbol() alone                             */
+  const rc_system *system;   /* dimensionless: modulus 1. nx and ny matter only where the grid repeats                   */
   const rc_options *options; /* read through rc_host                                                                     */
   double length;             /* how long 1 in `system` is for the caller [length]                                        */
   double modulus;            /* E* of the caller [force/length^2]                                                        */
@@ -485,7 +488,7 @@ typedef struct rc_kernel_spec {
 typedef struct rc_kernel_bounds {
   size_t struct_size;
   double lowest;         /* no eigenvalue of H is smaller; PERIODIC: but the mean's                                      */
-  double galerkin_share; /* FREE: x'Hx is at least this times that of the kernel galerkin, for every x                   */
+  double galerkin_share; /* FREE: x'Hx is at least this times that of the kernel galerkin, for every x; else not looked at */
 } rc_kernel_bounds;
 
 /** A kernel: what unit pressure on a cell deflects, times the modulus. Functions are called from several threads at the same
@@ -501,8 +504,9 @@ struct rc_kernel {
   uint64_t caps; /* RC_KERNEL_*                                                                                          */
   int64_t n_options;
   const rc_option_spec *const *options; /* keys "<name>.<key>"; all are fixed when a contact is made                     */
-  /** RC_KERNEL_FREE, else NULL: coefficients at the offsets (first_x + ix, first_y + iy) cells, 0 <= ix < mx, 0 <= iy < my,
-   *  into out[iy*mx + ix] [length]. A value depends on its offset, not on the window. Those at -x and -y are equal. */
+  /** RC_KERNEL_FREE or _SEMI_PERIODIC, else NULL: coefficients at the offsets (first_x + ix, first_y + iy) cells,
+   *  0 <= ix < mx, 0 <= iy < my, into out[iy*mx + ix] [length]. A value depends on its offset, not on the window. Those at -x
+   *  and -y are equal. On a grid that repeats along x those at x and nx - x are, too. */
   rc_status (*window)(const rc_host *, const rc_kernel_spec *, int64_t first_x, int64_t first_y, int64_t mx, int64_t my,
                       double *out);
   /** RC_KERNEL_PERIODIC, else NULL: eigenvalues of H at wave numbers kx = 0..nx/2, ky = 0..ny/2 into out[ky*(nx/2+1) + kx]

@@ -162,7 +162,7 @@ typedef struct rc_const_array {
 
 /** @defgroup problem Problem: system and step  @{ */
 enum { RC_OPERATOR_HALFSPACE = 1, RC_OPERATOR_DENSE = 2, RC_OPERATOR_CALLBACK = 3 };
-enum { RC_BOUNDARY_FREE = 1, RC_BOUNDARY_PERIODIC = 2 };
+enum { RC_BOUNDARY_FREE = 1, RC_BOUNDARY_PERIODIC = 2, RC_BOUNDARY_PERIODIC_X = 3, RC_BOUNDARY_PERIODIC_Y = 4 };
 enum { RC_CONTROL_APPROACH = 1, RC_CONTROL_LOAD = 2 };
 
 /** What stays fixed over a loading sequence. Copied; `dense` and `user` must outlive the contact. */
@@ -170,7 +170,9 @@ typedef struct rc_system {
   size_t struct_size;  /* sizeof(rc_system)                                                                          */
   int32_t op;          /* RC_OPERATOR_*; the half-space unless set                                                   */
   int32_t boundary;    /* RC_BOUNDARY_*; HALFSPACE only: there is no default. PERIODIC: the grid is a sample of a larger
-                          surface, as a map of roughness is. FREE: the body ends at the grid's edges, as a ball does */
+                          surface, as a map of roughness is. FREE: the body ends at the grid's edges, as a ball does.
+                          PERIODIC_X, _Y: it repeats along this axis and ends across it, as the rim of a roller does: see
+                          rc_result.approach                                                                         */
   int64_t nx, ny;      /* points along x and y, >= 1; DENSE and CALLBACK: n = nx*ny unknowns                         */
   double hx, hy;       /* cell size along x and y [length], > 0; DENSE and CALLBACK: hx*hy is the cell area          */
   double modulus;      /* contact modulus E* [force/length^2], > 0; HALFSPACE only                                   */
@@ -230,7 +232,9 @@ typedef struct rc_result {
   double load;         /* hx hy sum(p) [force]                                                                       */
   double approach;     /* d [length]. Periodic boundaries: the change of the mean gap, mean(h) - mean(g) = d, if no point is
                           masked or at the hardness; nothing need be subtracted from it. Free boundaries: it includes the
-                          deflection of the body below the contact                                                   */
+                          deflection of the body below the contact. PERIODIC_X, _Y: deflections are 0 at the distance
+                          R = nx hx + ny hy from a line load, as only differences are determined there; another R' adds
+                          2 F/(pi E* L) ln(R'/R), F the load and L the period                                        */
   double mean_pressure; /* load / (n hx hy) [force/length^2]                                                         */
   double max_pressure; /* the largest p [force/length^2]; 0 without contact                                          */
   double contact_area; /* contacts hx hy [length^2]                                                                  */

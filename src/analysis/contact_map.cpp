@@ -28,10 +28,8 @@ Edges ContactMap::edges(std::int64_t ix, std::int64_t iy) const {
   Edges found;
   const auto look = [&](std::int64_t x, std::int64_t y, std::int64_t& parallel) {
     const std::int64_t nx = system_.nx, ny = system_.ny;
-    if (periodic()) {
-      x += x < 0 ? nx : x >= nx ? -nx : 0;
-      y += y < 0 ? ny : y >= ny ? -ny : 0;
-    }
+    if (joins_x()) x += x < 0 ? nx : x >= nx ? -nx : 0;
+    if (joins_y()) y += y < 0 ? ny : y >= ny ? -ny : 0;
     const bool inside = x >= 0 && x < nx && y >= 0 && y < ny;
     if (inside && touches(y * nx + x)) return;
     ++parallel;

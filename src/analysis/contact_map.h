@@ -5,6 +5,8 @@
 
 #include <cstdint>
 
+#include "core/boundary.h"
+
 namespace rc {
 
 // Edges between a cell in contact and one that is not.
@@ -27,7 +29,8 @@ class ContactMap {
   const rc_system& system() const { return system_; }
   std::int64_t points() const { return system_.nx * system_.ny; }
   double cell_area() const { return system_.hx * system_.hy; }
-  bool periodic() const { return system_.op == RC_OPERATOR_HALFSPACE && system_.boundary == RC_BOUNDARY_PERIODIC; }
+  bool joins_x() const { return system_.op == RC_OPERATOR_HALFSPACE && repeats_along_x(system_.boundary); }
+  bool joins_y() const { return system_.op == RC_OPERATOR_HALFSPACE && repeats_along_y(system_.boundary); }
   double pressure(std::int64_t i) const { return p_[i]; }
   bool included(std::int64_t i) const { return !mask_ || mask_[i] != 0; }
   bool touches(std::int64_t i) const { return included(i) && p_[i] > 0; }

@@ -102,7 +102,7 @@ void join_rows(const std::vector<Stretch>& above, const std::vector<Stretch>& be
 // Finds the axes along which the points with `contact`, or those without it, reach across.
 Directions crossed(const ContactMap& map, bool contact) {
   const std::int64_t nx = map.system().nx, ny = map.system().ny;
-  const bool periodic = map.periodic();
+  const bool joins_x = map.joins_x(), joins_y = map.joins_y();
   const auto inside = [&](std::int64_t x, std::int64_t y) {
     return map.included(y * nx + x) && map.touches(y * nx + x) == contact;
   };
@@ -115,15 +115,17 @@ Directions crossed(const ContactMap& map, bool contact) {
       if (!inside(x, y)) continue;
       const std::int64_t begin = x;
       while (x < nx && inside(x, y)) ++x;
-      const unsigned sides = (begin == 0 ? left : 0) | (x == nx ? right : 0) | (y == 0 ? top : 0) | (y == ny - 1 ? bottom : 0);
-      row.push_back({begin, x, clusters.add(periodic ? 0 : sides)});
+      unsigned sides = 0;
+      if (!joins_x) sides |= (begin == 0 ? left : 0) | (x == nx ? right : 0);
+      if (!joins_y) sides |= (y == 0 ? top : 0) | (y == ny - 1 ? bottom : 0);
+      row.push_back({begin, x, clusters.add(sides)});
     }
-    if (periodic && !row.empty() && row.front().begin == 0 && row.back().end == nx)
+    if (joins_x && !row.empty() && row.front().begin == 0 && row.back().end == nx)
       clusters.join(row.back().number, row.front().number, {1, 0});
     join_rows(before, row, {}, clusters);
     if (y == 0) first = row;
   }
-  if (periodic) join_rows(before, first, {0, 1}, clusters);
+  if (joins_y) join_rows(before, first, {0, 1}, clusters);
   return clusters.crossing();
 }
 

@@ -86,19 +86,19 @@ class Runs {
   std::vector<Index> first_;  // the first run of each row; at the end the number of runs
 };
 
-Sets joined(const Runs& runs, bool corners, bool periodic) {
+Sets joined(const Runs& runs, bool corners, const ContactMap& map) {
   Sets sets(runs.count());
   const auto neighbours = [&](Index a, Index b) {
     runs.join_rows(a, b, corners ? 1 : 0, sets);
-    if (!periodic || !corners) return;
+    if (!map.joins_x() || !corners) return;
     runs.join_sides(a, b, sets);
     runs.join_sides(b, a, sets);
   };
   for (Index row = 0; row < runs.rows(); ++row) {
     if (row > 0) neighbours(row - 1, row);
-    if (periodic) runs.join_sides(row, row, sets);
+    if (map.joins_x()) runs.join_sides(row, row, sets);
   }
-  if (periodic) neighbours(runs.rows() - 1, 0);
+  if (map.joins_y()) neighbours(runs.rows() - 1, 0);
   return sets;
 }
 
@@ -122,7 +122,7 @@ std::int64_t find_patches(const ContactMap& map, const rc_patches& out) {
   if (out.room < 0) fail(RC_ERR_ARGUMENT, "rc_patches.room = ", out.room, " must be >= 0");
 
   const Runs runs(map);
-  Sets sets = joined(runs, out.neighbours == 8, map.periodic());
+  Sets sets = joined(runs, out.neighbours == 8, map);
   // Patches are numbered in the order of their first runs.
   constexpr std::int64_t none = -1;
   std::vector<std::int64_t> number(runs.count(), none);

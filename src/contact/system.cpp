@@ -19,14 +19,17 @@ namespace {
 constexpr double longest_cell = 1e150;  // over its width
 constexpr double symmetric = 1e-12;     // largest |H_ij - H_ji| relative to the largest entry
 
-const Component<rc_kernel>& resolved_kernel(const rc_system& system, const rc_options& options) {
-  const bool periodic = system.boundary == RC_BOUNDARY_PERIODIC;
+const Component<rc_kernel>& resolved_kernel(const System& checked, const rc_options& options) {
+  const rc_system& system = checked.given;
   const std::string& option = options.text(RC_OPT_KERNEL);
-  const auto& found = options.context->kernel(option == "auto" ? (periodic ? "spectral" : "love") : option);
+  const auto& found = options.context->kernel(option == "auto" ? (checked.periodic() ? "spectral" : "love") : option);
   const rc_kernel& kernel = found.vtable;
-  if ((kernel.caps & (periodic ? RC_KERNEL_PERIODIC : RC_KERNEL_FREE)) == 0)
-    fail(RC_ERR_INCOMPATIBLE, "kernel \"", kernel.name, "\" is for ", periodic ? "free" : "periodic",
-         " boundaries, the system has ", periodic ? "periodic" : "free", " ones; use kernel=auto");
+  const std::uint64_t needed = checked.periodic()        ? RC_KERNEL_PERIODIC
+                               : checked.semi_periodic() ? RC_KERNEL_SEMI_PERIODIC
+                                                         : RC_KERNEL_FREE;
+  if ((kernel.caps & needed) == 0)
+    fail(RC_ERR_INCOMPATIBLE, "kernel \"", kernel.name, "\" is not for ", checked.boundary(),
+         " boundaries, which the system has; use kernel=auto");
   if ((kernel.caps & RC_KERNEL_SQUARE) && system.hx != system.hy)
     fail(RC_ERR_INCOMPATIBLE, "kernel \"", kernel.name, "\" needs square cells, hx = ", system.hx, " and hy = ", system.hy,
          " differ; use love or galerkin");
@@ -118,7 +121,7 @@ void take_promises(System& result, const rc_options& options) {
 std::uint64_t System::needed_caps() const {
   if (given.op == RC_OPERATOR_DENSE) return RC_CAP_DENSE_INPUT;
   if (given.op == RC_OPERATOR_CALLBACK) return RC_CAP_CALLBACK;
-  return periodic() ? RC_CAP_PERIODIC : RC_CAP_FREE;
+  return periodic() ? RC_CAP_PERIODIC : semi_periodic() ? RC_CAP_SEMI_PERIODIC : RC_CAP_FREE;
 }
 
 double System::half_space_wave() const {
@@ -141,7 +144,7 @@ System checked_system(const rc_system& system, const rc_options& options, bool p
         fail(RC_ERR_ARGUMENT, "cells of hx = ", system.hx, " by hy = ", system.hy, " are more than ", longest_cell,
              " times as long as wide: their influence coefficients are beyond double precision");
       const double cell = std::sqrt(system.hx) * std::sqrt(system.hy);
-      const auto& kernel = resolved_kernel(system, options);
+      const auto& kernel = resolved_kernel(result, options);
       result.kernel.name = kernel.vtable.name;
       result.kernel.influence = std::make_shared<SystemKernel>(kernel, options, cell, system.modulus);
       result.unit.hx = system.hx / cell;

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "core/boundary.h"
 #include "registry/system_kernel.h"
 
 namespace rc {
@@ -49,6 +50,8 @@ struct System {
   bool capped() const { return hardness < std::numeric_limits<double>::infinity(); }
   bool halfspace() const { return given.op == RC_OPERATOR_HALFSPACE; }
   bool periodic() const { return halfspace() && given.boundary == RC_BOUNDARY_PERIODIC; }
+  bool semi_periodic() const { return halfspace() && rc::semi_periodic(given.boundary); }
+  const char* boundary() const { return periodic() ? "periodic" : semi_periodic() ? "semi-periodic" : "free"; }
   // Periodic: the eigenvalue of the longest wave on a half-space. An axis of one point has no waves.
   double half_space_wave() const;
   std::uint64_t needed_caps() const;

@@ -30,10 +30,11 @@ void check_grid(const rc_system& system) {
   if (system.op == RC_OPERATOR_HALFSPACE && system.boundary == 0)
     fail(RC_ERR_ARGUMENT,
          "rc_system.boundary is not set: RC_BOUNDARY_PERIODIC (2) for a sample of a larger surface, as a map of ",
-         "roughness is; RC_BOUNDARY_FREE (1) for a body that ends at the grid's edges, as a ball or a punch does");
-  if (system.op == RC_OPERATOR_HALFSPACE && system.boundary != RC_BOUNDARY_FREE && system.boundary != RC_BOUNDARY_PERIODIC)
+         "roughness is; RC_BOUNDARY_FREE (1) for a body that ends at the grid's edges, as a ball or a punch does; ",
+         "RC_BOUNDARY_PERIODIC_X (3) or _Y (4) for one that repeats along this axis only");
+  if (system.op == RC_OPERATOR_HALFSPACE && (system.boundary < RC_BOUNDARY_FREE || system.boundary > RC_BOUNDARY_PERIODIC_Y))
     fail(RC_ERR_ARGUMENT, "rc_system.boundary = ", system.boundary,
-         " is neither RC_BOUNDARY_FREE (1) nor RC_BOUNDARY_PERIODIC (2)");
+         " is none of RC_BOUNDARY_FREE (1), _PERIODIC (2), _PERIODIC_X (3), _PERIODIC_Y (4)");
 }
 
 }  // namespace rc

@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <array>
 
+#include "core/boundary.h"
+#include "core/caught.h"
 #include "kernel/kernels.h"
 #include "kernel/lowest_eigenvalue.h"
+#include "kernel/semi_periodic.h"
 
 namespace rc::kernel {
 
@@ -15,8 +18,16 @@ const Kernel& kernel_of(const rc_kernel_spec& spec) { return *static_cast<const 
 
 rc_status window(const rc_host*, const rc_kernel_spec* spec, std::int64_t first_x, std::int64_t first_y, std::int64_t mx,
                  std::int64_t my, double* out) {
-  window_coefficients(kernel_of(*spec), spec->system->hx, spec->system->hy, {first_x, first_y, mx, my}, out);
-  return RC_OK;
+  const rc_system& s = *spec->system;
+  const Window window{first_x, first_y, mx, my};
+  if (!semi_periodic(s.boundary)) {
+    window_coefficients(kernel_of(*spec), s.hx, s.hy, window, out);
+    return RC_OK;
+  }
+  return caught([&] {
+    semi_periodic_coefficients(kernel_of(*spec), s, window, out);
+    return rc_status{RC_OK};
+  });
 }
 
 rc_status waves(const rc_host*, const rc_kernel_spec* spec, double* out) {
@@ -28,7 +39,10 @@ rc_status waves(const rc_host*, const rc_kernel_spec* spec, double* out) {
 rc_status bounds(const rc_host*, const rc_kernel_spec* spec, rc_kernel_bounds* out) {
   const rc_system& s = *spec->system;
   const Kernel& kernel = kernel_of(*spec);
-  if (kernel.boundary == Boundary::periodic) {
+  if (semi_periodic(s.boundary)) {
+    out->lowest = lowest_eigenvalue(kernel, strip_of(s));
+    out->galerkin_share = share_of_galerkin(strip_of(s));
+  } else if (kernel.boundary == Boundary::periodic) {
     out->lowest = lowest_wave_eigenvalue(kernel, s.hx, s.hy, s.nx, s.ny);
   } else {
     out->lowest = lowest_eigenvalue(kernel, s.hx, s.hy);
@@ -44,10 +58,10 @@ constexpr rc_kernel component(const Kernel& kernel) {
           .summary = kernel.summary,
           .license = "",
           .caps = (free ? RC_KERNEL_FREE | RC_KERNEL_POSITIVE | RC_KERNEL_FAR_FIELD : RC_KERNEL_PERIODIC) |
-                  (kernel.square_cells ? RC_KERNEL_SQUARE : 0),
+                  (kernel.square_cells ? RC_KERNEL_SQUARE : 0) | (kernel.semi_periodic ? RC_KERNEL_SEMI_PERIODIC : 0),
           .n_options = 0,
           .options = nullptr,
-          .window = free ? window : nullptr,
+          .window = free || kernel.semi_periodic ? window : nullptr,
           .symbol = free ? nullptr : waves,
           .bounds = bounds,
           .user = const_cast<Kernel*>(&kernel)};

@@ -16,6 +16,7 @@ struct Kernel {
   const char* summary;  // one line
   Boundary boundary;    // where it is defined
   bool square_cells;    // needs hx == hy
+  bool semi_periodic;   // also on grids that repeat along one axis
 };
 
 // All kernels, sorted by name.

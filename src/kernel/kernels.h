@@ -12,14 +12,14 @@ namespace rc::kernel {
 
 // Sorted by name.
 inline constexpr std::array<Kernel, 6> kernels{{
-    {"disc", "uniform pressure on the inscribed disc, centre deflection; square cells, first order", Boundary::free, true},
+    {"disc", "uniform pressure on the inscribed disc, centre deflection; square cells, first order", Boundary::free, true, false},
     {"eq9",
      "punch with the self term printed in Bemporad & Paggi (2015), eq. (9), 36 % too small: only to reproduce their results",
-     Boundary::free, true},
-    {"galerkin", "uniform pressure on the cell, mean deflection of the receiving cell; second order", Boundary::free, false},
-    {"love", "uniform pressure on the cell, centre deflection (Love 1929); second order", Boundary::free, false},
-    {"punch", "rigid circular punch inscribed in the cell; square cells, first order", Boundary::free, true},
-    {"spectral", "exact for every wave that the periodic grid resolves: 2/|q|, mean 0", Boundary::periodic, false},
+     Boundary::free, true, false},
+    {"galerkin", "uniform pressure on the cell, mean deflection of the receiving cell; second order", Boundary::free, false, false},
+    {"love", "uniform pressure on the cell, centre deflection (Love 1929); second order", Boundary::free, false, true},
+    {"punch", "rigid circular punch inscribed in the cell; square cells, first order", Boundary::free, true, false},
+    {"spectral", "exact for every wave that the periodic grid resolves: 2/|q|, mean 0", Boundary::periodic, false, true},
 }};
 
 void love(double hx, double hy, const Window&, double* out);

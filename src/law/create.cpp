@@ -33,9 +33,9 @@ void check_spec(const rc_system& system, const rc_law_spec& spec) {
     fail(RC_ERR_ARGUMENT, "rc_law_spec.tolerance_conductance = ", conductance, " must be 0 or 1e-4 .. 1");
   if (spec.bulk < RC_LAW_BULK_AUTO || spec.bulk > RC_LAW_BULK_MEAN)
     fail(RC_ERR_ARGUMENT, "rc_law_spec.bulk = ", spec.bulk, " is none of RC_LAW_BULK_*");
-  if (spec.bulk == RC_LAW_BULK_MEAN && !(system.op == RC_OPERATOR_HALFSPACE && system.boundary == RC_BOUNDARY_FREE))
+  if (spec.bulk == RC_LAW_BULK_MEAN && !takes_mean_gap(system))
     fail(RC_ERR_INCOMPATIBLE,
-         "rc_law_spec.bulk = RC_LAW_BULK_MEAN is for a half-space with free boundaries; take RC_LAW_BULK_AUTO");
+         "rc_law_spec.bulk = RC_LAW_BULK_MEAN is for a half-space with free or semi-periodic boundaries; take RC_LAW_BULK_AUTO");
   if (spec.bulk == RC_LAW_BULK_GIVEN ? !positive(spec.bulk_stiffness) : spec.bulk_stiffness != 0)
     fail(RC_ERR_ARGUMENT, "rc_law_spec.bulk_stiffness = ", spec.bulk_stiffness,
          " must be positive and finite with RC_LAW_BULK_GIVEN, and 0 otherwise");

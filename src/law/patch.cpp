@@ -23,10 +23,14 @@ void must(rc_status status) {
 
 std::int32_t bulk_of(const rc_system& system, const rc_law_spec& spec) {
   if (spec.bulk != RC_LAW_BULK_AUTO) return spec.bulk;
-  return system.op == RC_OPERATOR_HALFSPACE && system.boundary == RC_BOUNDARY_FREE ? RC_LAW_BULK_MEAN : RC_LAW_BULK_NONE;
+  return takes_mean_gap(system) ? RC_LAW_BULK_MEAN : RC_LAW_BULK_NONE;
 }
 
 }  // namespace
+
+bool takes_mean_gap(const rc_system& system) {
+  return system.op == RC_OPERATOR_HALFSPACE && system.boundary != RC_BOUNDARY_PERIODIC;
+}
 
 LawPatch::LawPatch(const rc_system& system, const rc_options* options, const rc_law_spec& spec)
     : system_(system), spec_(spec), bulk_(bulk_of(system, spec)) {

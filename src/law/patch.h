@@ -12,6 +12,9 @@
 
 namespace rc {
 
+// Whether the overclosure can be the change of the mean gap.
+bool takes_mean_gap(const rc_system& system);
+
 // A solved node.
 struct LawSample {
   rc_law_node node = RC_LAW_NODE_INIT;                           // bounds and between_...: of no interval yet

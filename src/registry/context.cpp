@@ -71,7 +71,7 @@ void check_members(const rc_solver& solver, const std::string& origin) {
 }
 
 void check_members(const rc_kernel& kernel, const std::string&) {
-  check_bit(kernel, RC_KERNEL_FREE, kernel.window != nullptr, "window");
+  check_bit(kernel, RC_KERNEL_FREE | RC_KERNEL_SEMI_PERIODIC, kernel.window != nullptr, "window");
   check_bit(kernel, RC_KERNEL_PERIODIC, kernel.symbol != nullptr, "symbol");
   if (!kernel.window && !kernel.symbol) fail(RC_ERR_PLUGIN, "kernel \"", kernel.name, "\" lacks window and symbol");
 }

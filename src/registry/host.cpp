@@ -127,11 +127,11 @@ Host::Host(const Context& owner, const SystemKernel* of_system, std::string of_k
       *object = own.holdings->objects.emplace(found.get(), found)->first;
     });
   };
-  keep = [](const rc_host* host, std::int32_t of_system, const char* key, Make make, Destroy destroy, void* argument,
+  keep = [](const rc_host* host, std::int32_t per_system, const char* key, Make make, Destroy destroy, void* argument,
             void** object) {
     return shielded([&] {
       const Host& own = *static_cast<const Host*>(host);
-      std::shared_ptr<void> found = found_or_made(own, of_system != 0 ? own.identity : "of all", key, {make, destroy, argument});
+      std::shared_ptr<void> found = found_or_made(own, per_system != 0 ? own.identity : "of all", key, {make, destroy, argument});
       const std::lock_guard guarded(own.holdings->mutex);
       *object = own.holdings->kept.insert(std::move(found)).first->get();
     });

@@ -14,6 +14,7 @@
 #include <numbers>
 #include <span>
 
+#include "core/boundary.h"
 #include "core/text.h"
 #include "grid/downsample.h"
 #include "solvers/solver.h"
@@ -61,8 +62,6 @@ class Cascade {
   }
 
  private:
-  bool periodic() const { return grid_.boundary == RC_BOUNDARY_PERIODIC; }
-
   void coarsen() {
     const std::int64_t wanted = problem_.option_int("cmr.levels");
     std::int64_t nx = grid_.nx, ny = grid_.ny;
@@ -185,16 +184,14 @@ class Cascade {
     return any ? near : Mask{};
   }
 
-  // Marks the points first .. last of a row. Both may lie beyond the grid: they are wrapped if it is periodic, else cut off.
+  // Marks the points first .. last of a row. Those beyond the grid are wrapped along an axis that repeats, else cut off.
   void mark_row(Mask& near, std::int64_t nx, std::int64_t ny, std::int64_t row, std::int64_t first, std::int64_t last) const {
     const auto fill = [&](std::int64_t from, std::int64_t to) {
       if (from <= to) std::fill(near.begin() + row * nx + from, near.begin() + row * nx + to + 1, std::uint8_t{1});
     };
-    if (!periodic()) {
-      if (row >= 0 && row < ny) fill(std::max<std::int64_t>(first, 0), std::min(last, nx - 1));
-      return;
-    }
-    row = (row % ny + ny) % ny;
+    if (repeats_along_y(grid_.boundary)) row = (row % ny + ny) % ny;
+    if (row < 0 || row >= ny) return;
+    if (!repeats_along_x(grid_.boundary)) return fill(std::max<std::int64_t>(first, 0), std::min(last, nx - 1));
     if (last - first + 1 >= nx) return fill(0, nx - 1);
     first = (first % nx + nx) % nx;
     last = (last % nx + nx) % nx;

@@ -36,9 +36,9 @@ void add_loading(Command& command, SolveArguments& arguments) {
                {"--load", &arguments.load, "TARGETS", "Normal force"},
                {"--pressure", &arguments.pressure, "TARGETS", "Mean pressure over the whole surface"}});
   command.add("Method", {{"--boundary", &arguments.boundary, "NAME",
-                          "periodic: the map is a sample of a larger surface; free: the body ends at its edges (default: as the "
-                          "file says; free with a "
-                          "--shape; else periodic)"}});
+                          "periodic: the map is a sample of a larger surface; free: the body ends at its edges; periodic-x, "
+                          "periodic-y: it repeats along this axis only (default: as the file says; free with a --shape; else "
+                          "periodic)"}});
 }
 
 void add_method(Command& command, SolveArguments& arguments, const char* threads_help) {

@@ -47,7 +47,7 @@ Summary::Summary(const Problem& problem, const std::string& checksum) {
                  {"missing_rule", problem.input.missing_rule},
                  {"checksum", checksum},
                  {"modulus", system.modulus},
-                 {"boundary", system.boundary == RC_BOUNDARY_PERIODIC ? "periodic" : "free"},
+                 {"boundary", std::string(name_of_boundary(system.boundary))},
                  {"control", problem.control}});
   if (system.hardness > 0) document_.add("hardness", system.hardness);
   if (!problem.input.against.empty()) document_.add("against", problem.input.against);

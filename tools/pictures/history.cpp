@@ -149,7 +149,7 @@ Gnuplot draw_history(const Problem& problem, const std::vector<HistoryPoint>& st
           format(
               "set label 10 '%zu steps, E* %s, nominal area %s, %s boundary' at screen 0.5,0.965 center font ',18' noenhanced\n",
               steps.size(), with_prefix(system.modulus, "Pa").c_str(), with_prefix(area, "m^2").c_str(),
-              system.boundary == RC_BOUNDARY_PERIODIC ? "periodic" : "free") +
+              name_of_boundary(system.boundary).data()) +
           "set multiplot\nset border linewidth 1.2\nset grid linecolor rgb '#e0e0e0'\nset format '%g'\n" + blocks +
           "set key top left\n" + panel(0, "contact area", force, share, steps, others) + "unset label 10\n" +
           panel(1, "load against approach", depth, force, steps) + "set key top right\n" +

@@ -38,7 +38,7 @@ double contact_modulus(const SolveArguments& arguments) {
 
 int32_t named_boundary(const Text& name) {
   if (!name) return 0;
-  return choice("--boundary", *name, boundary_names) == 1 ? RC_BOUNDARY_PERIODIC : RC_BOUNDARY_FREE;
+  return RC_BOUNDARY_FREE + static_cast<int32_t>(choice("--boundary", *name, boundary_names));
 }
 
 void set_targets(const SolveArguments& arguments, double unit, Problem& problem) {

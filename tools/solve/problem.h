@@ -13,7 +13,9 @@
 
 namespace cli {
 
-inline constexpr std::string_view boundary_names[] = {"free", "periodic"};
+// In the order of RC_BOUNDARY_*.
+inline constexpr std::string_view boundary_names[] = {"free", "periodic", "periodic-x", "periodic-y"};
+inline std::string_view name_of_boundary(std::int32_t boundary) { return boundary_names[boundary - RC_BOUNDARY_FREE]; }
 
 struct SolveArguments {
   SurfaceArguments surface;

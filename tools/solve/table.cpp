@@ -44,7 +44,7 @@ void print_table_head(const Problem& problem) {
   std::string text = format("surface %s, %lld x %lld points, pitch ", name.c_str(), static_cast<long long>(system.nx),
                             static_cast<long long>(system.ny)) +
                      pitch + ", E* " + with_prefix(system.modulus, "Pa", digits) +
-                     (system.boundary == RC_BOUNDARY_PERIODIC ? ", periodic boundary" : ", free boundary") +
+                     ", " + std::string(name_of_boundary(system.boundary)) + " boundary" +
                      problem.input.preparation() + "\n";
   if (system.hardness > 0)
     text += "hardness " + with_prefix(system.hardness, "Pa", digits) +

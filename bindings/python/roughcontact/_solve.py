@@ -120,8 +120,8 @@ def solve(
     modulus: contact modulus E* = 1/((1-nu1^2)/E1 + (1-nu2^2)/E2) [force/length^2]
     E, nu: in the place of modulus: Young's modulus [force/length^2] and Poisson's ratio of the one body that is elastic, or two
         each
-    boundary: "periodic": the map is a sample of a larger surface; "free": the body ends at the map's edges; None: as the surface
-        says, else periodic, with an `AssumedBoundary` warning
+    boundary: "periodic": the map is a sample of a larger surface; "free": the body ends at the map's edges; "periodic-x",
+        "periodic-y": it repeats along this axis only; None: as the surface says, else periodic, with an `AssumedBoundary` warning
     unit: the lengths of a surface that knows its unit are converted to this one first ("m"); None: they stay
     hardness: the largest pressure [force/length^2], see `HalfSpace`; None: none
     against: heights of the other body on the same grid, which are added: a `Surface`, a file or an array

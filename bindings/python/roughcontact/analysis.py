@@ -1,7 +1,8 @@
 """What a contact looks like: area, patches, pressures and crossing. Functions of pressures alone, yours or a `Result`'s, which has them
 as methods.
 
-A point is in contact where its pressure is positive. periodic joins opposite sides of the grid.
+A point is in contact where its pressure is positive. periodic joins opposite sides of the grid: True: all, "x" or
+"y": those of this axis.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ from ._library import contact_library
 from ._brief import brief
 from ._structs import rc_area, rc_crossing, rc_histogram, rc_patches, rc_result
 from .context import Context, Options, OptionSet
-from .system import System, grid_struct
+from .system import Repeats, System, grid_struct
 
 __all__ = [
     *("area", "patches", "histogram", "crossing", "conductance", "punch_stiffness"),
@@ -115,7 +116,7 @@ class PunchStiffness:
     upper: float
 
 
-def _grid(pressure: ArrayLike, pitch: Pitch, periodic: bool, mask: Optional[ArrayLike]) -> Tuple[Any, Doubles, Optional[Mask]]:
+def _grid(pressure: ArrayLike, pitch: Pitch, periodic: Repeats, mask: Optional[ArrayLike]) -> Tuple[Any, Doubles, Optional[Mask]]:
     array = as_doubles(pressure, "pressure")
     if array.ndim not in (1, 2):
         raise ShapeError(f"pressure has {array.ndim} axes: [ny, nx] is needed")
@@ -123,7 +124,7 @@ def _grid(pressure: ArrayLike, pitch: Pitch, periodic: bool, mask: Optional[Arra
     return grid_struct(array.shape, as_pitch(pitch), periodic), array, as_mask(mask, "mask", array.shape)
 
 
-def area(pressure: ArrayLike, *, pitch: Pitch, periodic: bool = False, mask: Optional[ArrayLike] = None) -> Area:
+def area(pressure: ArrayLike, *, pitch: Pitch, periodic: Repeats = False, mask: Optional[ArrayLike] = None) -> Area:
     """Area, perimeter, and the area corrected for the grid.
 
     pressure: [ny, nx] >= 0 [force/length^2]; pitch: one number or (hx, hy) [length]; mask: 0: not in contact, whatever its
@@ -136,7 +137,7 @@ def area(pressure: ArrayLike, *, pitch: Pitch, periodic: bool = False, mask: Opt
 
 
 def patches(
-    pressure: ArrayLike, *, pitch: Pitch, periodic: bool = False, mask: Optional[ArrayLike] = None, corners: bool = False
+    pressure: ArrayLike, *, pitch: Pitch, periodic: Repeats = False, mask: Optional[ArrayLike] = None, corners: bool = False
 ) -> Patches:
     """Connected parts of the contact; corners: across corners of cells as well as edges. Arguments as in `area`."""
     system, p, m = _grid(pressure, pitch, periodic, mask)
@@ -160,7 +161,7 @@ def histogram(
     upper: Optional[float] = None,
     *,
     pitch: Pitch,
-    periodic: bool = False,
+    periodic: Repeats = False,
     mask: Optional[ArrayLike] = None,
 ) -> Histogram:
     """Histogram of the pressures; upper: end of the last bin [force/length^2], None: the largest pressure. Others as in `area`."""
@@ -173,7 +174,7 @@ def histogram(
     return Histogram(**{**members_for(Histogram, struct), **own})
 
 
-def crossing(pressure: ArrayLike, *, pitch: Pitch = 1.0, periodic: bool = False, mask: Optional[ArrayLike] = None) -> Crossing:
+def crossing(pressure: ArrayLike, *, pitch: Pitch = 1.0, periodic: Repeats = False, mask: Optional[ArrayLike] = None) -> Crossing:
     """Percolation of contact and gap: whether they join opposite sides of the grid, or a periodic grid's copies of themselves.
     Points are connected across edges, and a masked one belongs to neither. pitch does not matter. Others as in `area`."""
     system, p, m = _grid(pressure, pitch, periodic, mask)

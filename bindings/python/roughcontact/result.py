@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Dict, Optional, Tuple
+from typing import Any, Dict, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,11 +25,12 @@ from ._structs import rc_accuracy, rc_array, rc_level, rc_result
 
 @dataclass(frozen=True, repr=False)
 class Grid(Stored):
-    """Where an answer lives: shape, (hx, hy) [length], whether it repeats, the points left out, and the half-space's E*."""
+    """Where an answer lives: shape, (hx, hy) [length], whether it repeats (True, False, or along "x" or "y" only), the points
+    left out, and the half-space's E*."""
 
     shape: Shape
     pitch: Tuple[float, float]
-    periodic: bool = False
+    periodic: Union[bool, str] = False
     mask: Optional[Mask] = None
     modulus: Optional[float] = None
 

@@ -6,7 +6,7 @@ import inspect
 import os
 import warnings
 from abc import ABC, abstractmethod
-from typing import Any, Callable, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -22,7 +22,15 @@ from ._status import Status
 from ._structs import rc_apply_fn, rc_system
 from .context import Context, Options, OptionSet, context_handle
 
-BOUNDARIES = {"free": _constants.RC_BOUNDARY_FREE, "periodic": _constants.RC_BOUNDARY_PERIODIC}
+Repeats = Union[bool, str]  # True, False, or the one axis along which a grid repeats, "x" or "y"
+
+REPEATS = {"free": False, "periodic": True, "periodic-x": "x", "periodic-y": "y"}
+BOUNDARIES: Dict[Repeats, int] = {
+    False: _constants.RC_BOUNDARY_FREE,
+    True: _constants.RC_BOUNDARY_PERIODIC,
+    "x": _constants.RC_BOUNDARY_PERIODIC_X,
+    "y": _constants.RC_BOUNDARY_PERIODIC_Y,
+}
 
 
 class AssumedBoundary(UserWarning):
@@ -44,8 +52,8 @@ def boundary_of(given: Optional[str], periodic: Optional[bool]) -> str:
         )
         return "periodic"
     boundary = given if given is not None else "periodic" if periodic else "free"
-    if boundary not in BOUNDARIES:
-        raise ArgumentError(f"boundary is {boundary!r}: 'free' or 'periodic'")
+    if boundary not in REPEATS:
+        raise ArgumentError(f"boundary is {boundary!r}: 'free', 'periodic', 'periodic-x' or 'periodic-y'")
     return boundary
 
 
@@ -59,7 +67,7 @@ class System(ABC):
 
     shape: Shape
     pitch: Tuple[float, float]
-    periodic = False
+    periodic: Repeats = False
     hardness: Optional[float] = None
     modulus: Optional[float] = None  # of a `HalfSpace`
 
@@ -68,7 +76,7 @@ class System(ABC):
         """Completes the C struct; what it returns knows what a callback raised. Arrays live as long as this object."""
 
     def __repr__(self) -> str:
-        modulus = "" if self.modulus is None else f", modulus {self.modulus:.6g}, {'periodic' if self.periodic else 'free'}"
+        modulus = "" if self.modulus is None else f", modulus {self.modulus:.6g}, {name_of(self.periodic)}"
         hard = "" if self.hardness is None else f", hardness {self.hardness:.6g}"
         points = " x ".join(map(str, self.shape[::-1]))
         return f"{type(self).__name__}({points} points, pitch {self.pitch[0]:g}, {self.pitch[1]:g}{modulus}{hard})"
@@ -79,11 +87,18 @@ class System(ABC):
         return system, self.fill(system)
 
 
-def grid_struct(shape: Shape, pitch: Tuple[float, float], periodic: bool) -> rc_system:
+def name_of(periodic: Repeats) -> str:
+    """The boundary of a grid that repeats like this."""
+    return next(name for name, repeats in REPEATS.items() if repeats == periodic)
+
+
+def grid_struct(shape: Shape, pitch: Tuple[float, float], periodic: Repeats) -> rc_system:
     system = rc_system()
     system.nx, system.ny = columns_and_rows(shape)
     system.hx, system.hy = pitch
-    system.boundary = _constants.RC_BOUNDARY_PERIODIC if periodic else _constants.RC_BOUNDARY_FREE
+    if periodic not in BOUNDARIES:
+        raise ArgumentError(f"periodic is {periodic!r}: True, False, 'x' or 'y'")
+    system.boundary = BOUNDARIES[periodic]
     return system
 
 
@@ -97,8 +112,8 @@ class HalfSpace(System):
     shape: (ny, nx) or nx points
     pitch: cell size, one number or (hx, hy) with hx along the last axis [length]
     modulus: contact modulus E* = 1/((1-nu1^2)/E1 + (1-nu2^2)/E2) [force/length^2]; or E and nu, as in `solve`
-    boundary: "periodic": the grid is a sample of a larger surface; "free": the body ends at the grid's edges; None: periodic,
-        with an `AssumedBoundary` warning
+    boundary: "periodic": the grid is a sample of a larger surface; "free": the body ends at the grid's edges; "periodic-x",
+        "periodic-y": it repeats along this axis only; None: periodic, with an `AssumedBoundary` warning
     hardness: the largest pressure [force/length^2]; None: none. Where it acts the bodies may overlap, and the overlap is a
         plastic indentation that stays for the steps that follow, see `Contact.indentation`
     """
@@ -116,7 +131,7 @@ class HalfSpace(System):
     ) -> None:
         boundary = boundary_of(boundary, None)
         self.shape, self.pitch, self.modulus = as_shape(shape), as_pitch(pitch), float(needed_modulus(modulus, E, nu))
-        self.boundary, self.periodic, self.hardness = boundary, boundary == "periodic", as_hardness(hardness)
+        self.boundary, self.periodic, self.hardness = boundary, REPEATS[boundary], as_hardness(hardness)
 
     @classmethod
     def under(

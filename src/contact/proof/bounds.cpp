@@ -7,6 +7,7 @@
 
 #include "contact/surface/points_below.h"
 #include "core/limits.h"
+#include "kernel/semi_periodic.h"
 
 namespace rc {
 
@@ -208,12 +209,21 @@ class Proof {
                       static_cast<double>(support.height()) * system_.unit.hy);
   }
 
+  double rigid(const Extent& support) const {
+    if (!system_.semi_periodic() || support.n == 0) return diagonal(support);
+    const bool along_x = repeats_along_x(system_.unit.boundary);
+    const std::int64_t across = along_x ? support.height() : support.width();
+    const kernel::Strip strip = kernel::strip_of(system_.unit);
+    return kernel::punch_stiffness(strip, static_cast<double>(across) * strip.h_across);
+  }
+
   // (sum of x)^2 <= 1'H^-1 1 x'Hx on the support.
   double flat_punch(const Extent& support) const {
     double least = points_of(support) / spectrum_.lowest;
     if (spectrum_.flat_punch > 0) least = std::min(least, spectrum_.flat_punch);
-    // With the kernel galerkin a flat punch on cells is no stiffer than a disc around them, whose stiffness is its diameter.
-    if (spectrum_.galerkin_share > 0) least = std::min(least, diagonal(support) / spectrum_.galerkin_share);
+    // With the kernel galerkin a flat punch on cells is no stiffer than a disc around them, whose stiffness is its diameter; on a
+    // grid that repeats along one axis, than a strip around them.
+    if (spectrum_.galerkin_share > 0) least = std::min(least, rigid(support) / spectrum_.galerkin_share);
     return least;
   }
 

@@ -51,7 +51,7 @@ bool worth_mixing(const Problem& problem) {
 // deflection can make the pressures large.
 bool single_suffices(const Problem& problem) {
   constexpr double least_tol = 0.9e-5;
-  return problem.tol() >= least_tol && !problem.ranks() && problem.grid()->boundary == RC_BOUNDARY_FREE;
+  return problem.tol() >= least_tol && !problem.ranks() && problem.grid()->boundary != RC_BOUNDARY_PERIODIC;
 }
 
 // q: null, or room for a vector.

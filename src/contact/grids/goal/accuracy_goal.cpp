@@ -20,7 +20,7 @@ constexpr std::size_t most_grids = 12;
 // A periodic grid must halve without a remainder, or its period would change.
 bool can_be_halved(const rc_system& system) {
   const bool even = system.nx % 2 == 0 && system.ny % 2 == 0;
-  return std::min(system.nx, system.ny) >= 2 * least_coarse_side && (even || system.boundary != RC_BOUNDARY_PERIODIC);
+  return std::min(system.nx, system.ny) >= 2 * least_coarse_side && (even || system.boundary == RC_BOUNDARY_FREE);
 }
 
 double relative(double difference, double value) {
