@@ -5,16 +5,16 @@
 namespace rc_fft {
 
 void Cache::fit(std::unique_ptr<Transforms>& present, Lengths needed, Lengths largest) {
-  if (present && suits(present->lengths, needed)) return;
+  if (present && suits(present->lengths, needed, period_)) return;
   auto best = idle_.end();
   for (auto it = idle_.begin(); it != idle_.end(); ++it)
-    if (suits((*it)->lengths, needed) && (best == idle_.end() || points((*it)->lengths) < points((*best)->lengths))) best = it;
+    if (suits((*it)->lengths, needed, period_) && (best == idle_.end() || points((*it)->lengths) < points((*best)->lengths))) best = it;
   std::unique_ptr<Transforms> next;
   if (best != idle_.end()) {
     next = std::move(*best);
     idle_.erase(best);
   } else {
-    next = std::make_unique<Transforms>(choose_lengths(needed, largest, present ? present->lengths : Lengths{}));
+    next = std::make_unique<Transforms>(choose_lengths(needed, largest, present ? present->lengths : Lengths{}, period_));
   }
   retire(present);
   present = std::move(next);

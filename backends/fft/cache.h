@@ -26,7 +26,7 @@ struct Transforms {
 class Cache {
  public:
   // limit: bytes that transforms may take that are not in use.
-  explicit Cache(std::size_t limit) : limit_(limit) {}
+  Cache(std::size_t limit, Lengths period) : limit_(limit), period_(period) {}
 
   // Replaces the present transforms, which may be null, by ones that suit `needed`: see choose_lengths.
   void fit(std::unique_ptr<Transforms>& present, Lengths needed, Lengths largest);
@@ -52,6 +52,7 @@ class Cache {
   void put_away(std::unique_ptr<Transforms> present);
 
   std::size_t limit_;
+  Lengths period_;
   List idle_;
   List forgotten_;  // no two of the same lengths
 };

@@ -57,19 +57,37 @@ std::int64_t fast_length(std::int64_t at_least) {
   return fastest;
 }
 
-bool covers(Lengths have, Lengths needed) { return have.x >= needed.x && have.y >= needed.y; }
-
-bool suits(Lengths have, Lengths needed) {
-  // What was chosen with room for growth suits at once, however far apart fast lengths are.
-  const double usual = 1.3 * points({fast_length(needed.x), fast_length(needed.y)});
-  const double grown = points({fast_length(roomy(needed.x)), fast_length(roomy(needed.y))});
-  return covers(have, needed) && points(have) <= std::max(usual, grown);
+Lengths periods(const rc_system& system) {
+  const auto period = [](bool repeats, std::int64_t points) { return repeats && has_small_factors(points) ? points : 0; };
+  return {period(system.boundary == RC_BOUNDARY_PERIODIC_X, system.nx), period(system.boundary == RC_BOUNDARY_PERIODIC_Y, system.ny)};
 }
 
-Lengths choose_lengths(Lengths needed, Lengths largest, Lengths present) {
-  if (suits(present, needed)) return present;
-  if (present.x == 0 || covers(present, needed)) return {fast_length(needed.x), fast_length(needed.y)};
-  return {fast_length(outgrown(needed.x, largest.x, present.x)), fast_length(outgrown(needed.y, largest.y, present.y))};
+Lengths fast_lengths(Lengths needed, Lengths period) {
+  const auto fast = [](std::int64_t at_least, std::int64_t most) {
+    const std::int64_t length = fast_length(at_least);
+    return most > 0 ? std::min(length, most) : length;
+  };
+  return {fast(needed.x, period.x), fast(needed.y, period.y)};
+}
+
+bool covers(Lengths have, Lengths needed, Lengths period) {
+  const auto enough = [](std::int64_t length, std::int64_t least, std::int64_t repeat) {
+    return length >= least || (repeat > 0 && length == repeat);
+  };
+  return enough(have.x, needed.x, period.x) && enough(have.y, needed.y, period.y);
+}
+
+bool suits(Lengths have, Lengths needed, Lengths period) {
+  // What was chosen with room for growth suits at once, however far apart fast lengths are.
+  const double usual = 1.3 * points(fast_lengths(needed, period));
+  const double grown = points(fast_lengths({roomy(needed.x), roomy(needed.y)}, period));
+  return covers(have, needed, period) && points(have) <= std::max(usual, grown);
+}
+
+Lengths choose_lengths(Lengths needed, Lengths largest, Lengths present, Lengths period) {
+  if (suits(present, needed, period)) return present;
+  if (present.x == 0 || covers(present, needed, period)) return fast_lengths(needed, period);
+  return fast_lengths({outgrown(needed.x, largest.x, present.x), outgrown(needed.y, largest.y, present.y)}, period);
 }
 
 }  // namespace rc_fft

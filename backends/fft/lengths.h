@@ -1,6 +1,8 @@
 // Which lengths the transforms have.
 #pragma once
 
+#include <roughcontact/roughcontact.h>
+
 #include <cstdint>
 
 namespace rc_fft {
@@ -30,13 +32,20 @@ std::int64_t fast_length(std::int64_t at_least);
 // Whether a transform takes long enough to be worth waking other threads for: some tenths of a millisecond.
 inline bool worth_sharing(Lengths l) { return points(l) >= 1e5; }
 
-bool covers(Lengths have, Lengths needed);
+// The periods of a grid that repeats along one axis, where they are fast lengths; else 0. A circular product of this length is
+// exact for any sources and targets.
+Lengths periods(const rc_system& system);
+
+// fast_length() of each axis, but no longer than a period.
+Lengths fast_lengths(Lengths needed, Lengths period);
+
+bool covers(Lengths have, Lengths needed, Lengths period);
 
 // Whether lengths cover what is needed and are not much too long.
-bool suits(Lengths have, Lengths needed);
+bool suits(Lengths have, Lengths needed, Lengths period);
 
 // Lengths for a transform that has to cover `needed`, never more than what covers `largest`. The present ones are kept
 // if they suit; if they have been outgrown, the new ones leave room for the next growth.
-Lengths choose_lengths(Lengths needed, Lengths largest, Lengths present);
+Lengths choose_lengths(Lengths needed, Lengths largest, Lengths present, Lengths period);
 
 }  // namespace rc_fft

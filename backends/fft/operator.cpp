@@ -51,7 +51,8 @@ Operator::Operator(const rc_host* host, const rc_operator_spec& spec)
       spec_(spec),
       single_(in_single_precision(host, spec.options)),
       team_(*spec.team),
-      cache_(cache_limit(*spec.system)),
+      period_(periods(*spec.system)),
+      cache_(cache_limit(*spec.system), period_),
       pool_(roughcontact::shared<rc_common::Pool<Workspace>>(host, component, "fft workspaces",
                                                              [] { return std::make_unique<rc_common::Pool<Workspace>>(); })),
       whole_(spec.system->nx, spec.system->ny) {
@@ -136,7 +137,7 @@ double Operator::norm() { return single_ ? norm_in<float>() : norm_in<double>();
 
 template <class Real> double Operator::norm_in() {
   const Lengths lengths =
-      periodic() ? Lengths{box_.nx, box_.ny} : Lengths{fast_length(box_lengths().x), fast_length(box_lengths().y)};
+      periodic() ? Lengths{box_.nx, box_.ny} : fast_lengths(box_lengths(), period_);
   const double mean = zero_mode_ / (static_cast<double>(spec_.system->nx) * static_cast<double>(spec_.system->ny));
   wake();
   const auto waves = std::make_shared<Waves<Real>>(lengths);
@@ -152,7 +153,7 @@ Transforms& Operator::field_transforms() {
   const std::int64_t nx = spec_.system->nx, ny = spec_.system->ny;
   if (periodic()) return *box_transforms_;
   const Lengths needed{exact_length(box_.x, box_.nx, nx), exact_length(box_.y, box_.ny, ny)};
-  if (covers(box_transforms_->lengths, needed)) {
+  if (covers(box_transforms_->lengths, needed, period_)) {
     cache_.retire(grid_transforms_);
     return *box_transforms_;
   }

@@ -48,6 +48,7 @@ class Operator {
   rc_operator_spec spec_;
   bool single_;  // option fft.precision: nothing is kept or made in double precision
   const rc_team& team_;
+  Lengths period_;
   Cache cache_;
   std::shared_ptr<rc_common::Pool<Workspace>> pool_;
   Workspace workspace_;

@@ -287,7 +287,7 @@ Slabs::Slabs(const rc_host* host, const rc_operator_spec& spec) : points_(spec.s
   const bool periodic = system.boundary == RC_BOUNDARY_PERIODIC;
   const Lengths lengths =
       periodic ? Lengths{system.nx, system.ny}
-               : Lengths{fast_length(exact_length(0, system.nx, system.nx)), fast_length(exact_length(0, system.ny, system.ny))};
+               : fast_lengths({exact_length(0, system.nx, system.nx), exact_length(0, system.ny, system.ny)}, periods(system));
   const Strips strips(SharedWaves::count_of(lengths.x), spec.rows->ranks);
   const rc_status made = roughcontact::guard(host, component, [&] {
     if (std::strcmp(roughcontact::option_text(host, spec.options, "fft.precision"), "single") == 0)

@@ -24,6 +24,10 @@ struct Problem {
   std::size_t points() const { return static_cast<std::size_t>(system.nx * system.ny); }
   double cell_area() const { return system.hx * system.hy; }
   bool periodic() const { return system.op == RC_OPERATOR_HALFSPACE && system.boundary == RC_BOUNDARY_PERIODIC; }
+  bool semi_periodic() const {
+    return system.op == RC_OPERATOR_HALFSPACE &&
+           (system.boundary == RC_BOUNDARY_PERIODIC_X || system.boundary == RC_BOUNDARY_PERIODIC_Y);
+  }
   bool included(std::size_t i) const { return mask.empty() || mask[i] != 0; }
   double lowest_gap() const;
   rc_step step() const;

@@ -39,7 +39,8 @@ std::string obstacle(const Pair& pair, const rc_system& system, std::int32_t con
 std::string kind_of(const rc_system& system) {
   if (system.op == RC_OPERATOR_DENSE) return "matrix";
   if (system.op == RC_OPERATOR_CALLBACK) return "product";
-  return system.boundary == RC_BOUNDARY_PERIODIC ? "periodic" : "free";
+  static const char* const names[] = {"free", "periodic", "periodic-x", "periodic-y"};
+  return names[system.boundary - RC_BOUNDARY_FREE];
 }
 
 std::string group_name(const Pair& pair, const rc_system& system, std::int32_t control) {

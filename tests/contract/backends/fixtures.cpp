@@ -12,7 +12,9 @@ namespace contract {
 
 namespace {
 
-std::int32_t boundary_of(std::uint64_t cap) { return cap == RC_CAP_PERIODIC ? RC_BOUNDARY_PERIODIC : RC_BOUNDARY_FREE; }
+std::int32_t boundary_of(std::uint64_t cap) {
+  return cap == RC_CAP_PERIODIC ? RC_BOUNDARY_PERIODIC : cap == RC_CAP_SEMI_PERIODIC ? RC_BOUNDARY_PERIODIC_X : RC_BOUNDARY_FREE;
+}
 
 std::int32_t multiply(const double* x, double* y, std::int64_t n, void* user) {
   const Matrix& matrix = *static_cast<const Matrix*>(user);
@@ -47,7 +49,7 @@ Index Problem::all() const {
 
 void for_each_problem(const rc_backend& backend, std::int64_t nx, std::int64_t ny, double hx, double hy,
                       const std::function<void(const Problem&)>& body) {
-  for (std::uint64_t cap : {RC_CAP_FREE, RC_CAP_PERIODIC, RC_CAP_DENSE_INPUT, RC_CAP_CALLBACK}) {
+  for (std::uint64_t cap : {RC_CAP_FREE, RC_CAP_PERIODIC, RC_CAP_SEMI_PERIODIC, RC_CAP_DENSE_INPUT, RC_CAP_CALLBACK}) {
     if (!(backend.caps & cap)) continue;
     body(Problem(cap, nx, ny, hx, hy, 0.0));
     if (cap == RC_CAP_PERIODIC) body(Problem(cap, nx, ny, hx, hy, 0.7));

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "kernel/kernel.h"
+#include "kernel/semi_periodic.h"
 #include "stand_in_host.h"
 #include "support/unit_system.h"
 
@@ -46,6 +47,10 @@ Vector periodic_table(const rc_system& s, double zero_mode) {
 
 Vector free_table(const rc_system& s) {
   Vector out(static_cast<std::size_t>(s.nx * s.ny));
+  if (s.boundary != RC_BOUNDARY_FREE) {
+    rc::kernel::semi_periodic_coefficients(*rc::kernel::find("love"), s, {0, 0, s.nx, s.ny}, out.data());
+    return out;
+  }
   rc::kernel::coefficients(*rc::kernel::find(kernel_name(s.boundary)), s.hx, s.hy, s.nx, s.ny, out.data());
   return out;
 }

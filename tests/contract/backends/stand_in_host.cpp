@@ -63,6 +63,8 @@ StandInHost::StandInHost(const rc_backend& backend)
     const rc::kernel::Kernel& used = *rc::kernel::find(kernel);
     if (system->boundary == RC_BOUNDARY_PERIODIC)
       rc::kernel::periodic_coefficients(used, system->hx, system->hy, system->nx, system->ny, mx, my, out);
+    else if (rc::semi_periodic(system->boundary))
+      rc::kernel::semi_periodic_coefficients(used, *system, {0, 0, mx, my}, out);
     else
       rc::kernel::coefficients(used, system->hx, system->hy, mx, my, out);
     return rc_status{RC_OK};
@@ -75,7 +77,11 @@ StandInHost::StandInHost(const rc_backend& backend)
   window = [](const rc_host* host, const rc_system* system, const char* kernel, std::int64_t first_x, std::int64_t first_y,
               std::int64_t mx, std::int64_t my, double* out) {
     if (self(host).answer_ != RC_OK) return self(host).answer_.load();
-    rc::kernel::window_coefficients(*rc::kernel::find(kernel), system->hx, system->hy, {first_x, first_y, mx, my}, out);
+    const rc::kernel::Kernel& used = *rc::kernel::find(kernel);
+    if (rc::semi_periodic(system->boundary))
+      rc::kernel::semi_periodic_coefficients(used, *system, {first_x, first_y, mx, my}, out);
+    else
+      rc::kernel::window_coefficients(used, system->hx, system->hy, {first_x, first_y, mx, my}, out);
     return rc_status{RC_OK};
   };
   share = [](const rc_host* host, const char*, rc_status (*make)(void*, void**), void (*destroy)(void*), void* argument,

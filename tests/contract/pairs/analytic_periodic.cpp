@@ -1,4 +1,4 @@
-// Closed forms with periodic boundaries: the wave of Westergaard (1939), and full contact of any surface.
+// Closed forms of grids that repeat: the wave of Westergaard (1939), full contact of any surface, the cylinder of Hertz.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -143,6 +143,40 @@ void full_contact_is_exact(const Pair& pair) {
   }
 }
 
+// A cylinder along the axis that repeats: Johnson, Contact Mechanics (1985), section 4.2(c), and the deflection of its middle
+// under 2 q / (pi E*) ln(R / |y|), R = nx hx + ny hy.
+void cylinder_is_hertz(std::int32_t boundary, const Pair& pair) {
+  constexpr double radius = 10, modulus = 3, half_width = 1;
+  constexpr std::int64_t across = 121, along = 3;
+  Problem problem;
+  rc_system& s = problem.system;
+  const bool along_x = boundary == RC_BOUNDARY_PERIODIC_X;
+  s.boundary = boundary;
+  s.modulus = modulus;
+  s.nx = along_x ? along : across;
+  s.ny = along_x ? across : along;
+  const double h = 3.0 / static_cast<double>(across);
+  s.hx = along_x ? 0.8 : h;
+  s.hy = along_x ? h : 0.8;
+  const auto place = [&](std::size_t i) {
+    const auto point = static_cast<std::int64_t>(i);
+    return (static_cast<double>(along_x ? point / s.nx : point % s.nx) - 0.5 * static_cast<double>(across - 1)) * h;
+  };
+  for (std::size_t i = 0; i < problem.points(); ++i) problem.gap.push_back(place(i) * place(i) / (2 * radius));
+  const double length = 0.8 * along, q = pi * modulus * half_width * half_width / (4 * radius);
+  const Answer answer = solved(at_load(problem, q * length), pair, {{RC_OPT_STIFFNESS, "1"}});
+  double error = 0;
+  for (std::size_t i = 0; i < answer.p.size(); ++i) {
+    const double inside = 1 - std::pow(place(i) / half_width, 2);
+    error += std::abs(answer.p[i] - (inside > 0 ? 2 * q / (pi * half_width) * std::sqrt(inside) : 0));
+  }
+  check(error / sum(answer.p) < 0.005, "pressures are off by " + text(error / sum(answer.p)) + " of their mean");
+  const double datum = length + 3, approach = 2 * q / (pi * modulus) * (std::log(2 * datum / half_width) + 0.5);
+  check_near(answer.result.approach, approach, 5e-4 * approach, "approach");
+  const double slope = pi * modulus * length / (2 * std::log(2 * datum / half_width));
+  check_near(answer.result.stiffness, slope, 0.01 * slope, "stiffness");
+}
+
 }  // namespace
 
 std::vector<Test> periodic_analytic_tests() {
@@ -154,6 +188,8 @@ std::vector<Test> periodic_analytic_tests() {
   add_for_pairs(tests, "wave_does_not_depend_on_its_width", RC_BOUNDARY_PERIODIC, wave_does_not_depend_on_its_width);
   add_for_pairs(tests, "wave_at_the_approach_of_half_the_full_pressure_carries_it", RC_BOUNDARY_PERIODIC, wave_at_given_approach);
   add_for_pairs(tests, "full_contact_is_exact", RC_BOUNDARY_PERIODIC, full_contact_is_exact);
+  for (const std::int32_t boundary : {RC_BOUNDARY_PERIODIC_X, RC_BOUNDARY_PERIODIC_Y})
+    add_for_pairs(tests, "cylinder_is_hertz", boundary, [=](const Pair& pair) { cylinder_is_hertz(boundary, pair); });
   return tests;
 }
 

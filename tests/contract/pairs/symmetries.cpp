@@ -41,6 +41,7 @@ void transposed(std::int32_t boundary, const Pair& pair) {
   Problem other = problem;
   std::swap(other.system.nx, other.system.ny);
   std::swap(other.system.hx, other.system.hy);
+  if (problem.semi_periodic()) other.system.boundary = RC_BOUNDARY_PERIODIC_X + RC_BOUNDARY_PERIODIC_Y - boundary;
   const std::int64_t nx = problem.system.nx, ny = problem.system.ny;
   check_moved(problem, other, pair, [=](const Field& values) {
     return moved(values, ny, nx, [=](std::int64_t ix, std::int64_t iy) { return ix * nx + iy; });
@@ -61,10 +62,13 @@ void reflected(std::int32_t boundary, const Pair& pair) {
 void cyclically_translated(std::int32_t boundary, const Pair& pair) {
   const Problem problem = problem_of(boundary);
   const std::int64_t nx = problem.system.nx, ny = problem.system.ny;
-  for (const std::int64_t dx : {1, 7})
+  const std::int64_t dy = boundary == RC_BOUNDARY_PERIODIC_X ? 0 : 5;
+  for (std::int64_t dx : {1, 7}) {
+    if (boundary == RC_BOUNDARY_PERIODIC_Y) dx = 0;
     check_moved(problem, problem, pair, [=](const Field& values) {
-      return moved(values, nx, ny, [=](std::int64_t ix, std::int64_t iy) { return (iy + 5) % ny * nx + (ix + dx) % nx; });
+      return moved(values, nx, ny, [=](std::int64_t ix, std::int64_t iy) { return (iy + dy) % ny * nx + (ix + dx) % nx; });
     });
+  }
 }
 
 void bump_is_free_to_move(std::int32_t, const Pair& pair) {
@@ -128,13 +132,14 @@ std::vector<Test> symmetry_tests() {
   const auto add = [&](std::int32_t boundary, const char* name, void (*body)(std::int32_t, const Pair&)) {
     add_for_pairs(tests, name, boundary, [=](const Pair& pair) { body(boundary, pair); });
   };
-  for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC}) {
+  for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC, RC_BOUNDARY_PERIODIC_X, RC_BOUNDARY_PERIODIC_Y}) {
     add(boundary, "transposed_grid_has_transposed_pressures", transposed);
     add(boundary, "reflected_grid_has_reflected_pressures", reflected);
     add(boundary, "holes_equal_large_gaps", holes_equal_large_gaps);
     add(boundary, "cells_three_times_as_long_as_wide_are_certified_by_naive_code", long_cells);
   }
-  add(RC_BOUNDARY_PERIODIC, "cyclic_translation_moves_the_pressures", cyclically_translated);
+  for (const std::int32_t boundary : {RC_BOUNDARY_PERIODIC, RC_BOUNDARY_PERIODIC_X, RC_BOUNDARY_PERIODIC_Y})
+    add(boundary, "cyclic_translation_moves_the_pressures", cyclically_translated);
   add(RC_BOUNDARY_FREE, "translation_of_a_bump_moves_the_pressures", bump_is_free_to_move);
   return tests;
 }
