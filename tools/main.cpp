@@ -10,6 +10,7 @@
 #include "arguments/completion.h"
 #include "arguments/manual.h"
 #include "arguments/parser.h"
+#include "law/law_command.h"
 #include "list_commands.h"
 #include "platform/libraries.h"
 #include "platform/terminal.h"
@@ -57,13 +58,14 @@ int run(const std::vector<std::string>& words) {
   }
   if (parsed.commands.empty()) {
     cli::report(
-        "no command given, give solve, generate, analyze, backends, solvers, kernels, options or formats; see roughcontact "
+        "no command given, give solve, generate, analyze, law, backends, solvers, kernels, options or formats; see roughcontact "
         "--help");
     return cli::exit_error;
   }
 
   const std::string& name = parsed.commands.front();
   if (name == "solve") return cli::run_solve(line.solve);
+  if (name == "law") return cli::run_law(line.law);
   if (name == "generate") cli::generate(parsed.commands.back(), line.generate);
   if (name == "analyze") cli::analyze(line.analyze);
   if (name == "backends") cli::list_backends();

@@ -1,10 +1,17 @@
 #include "text.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 
 namespace cli {
+
+std::string right_aligned(const std::string& text, std::size_t width) {
+  const auto follows = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; };
+  const auto columns = text.size() - static_cast<std::size_t>(std::ranges::count_if(text, follows));
+  return std::string(columns < width ? width - columns : 0, ' ') + text;
+}
 
 void report(std::string_view text) {
   char line[512];

@@ -13,12 +13,17 @@ struct Option {
   // Where the value goes: a text that is required, one that is not, texts of an option that may be repeated, or a flag.
   using Target = std::variant<std::string*, std::optional<std::string>*, std::vector<std::string>*, bool*>;
 
-  const char* name;  // without dashes: of an argument known by its place
+  const char* name;  // without dashes: of an argument known by its place; "-o,--output": a short and a long one
   Target target;
   const char* type;  // of the value, for --help; flags have none
   const char* help;
   const char* group = "Options";
 };
+
+// Short and long, in the order of its name.
+std::vector<std::string> names_of(const Option& option);
+// Whether a command line had it. One whose value is required counts as not given.
+bool given(const Option& option);
 
 struct Command {
   std::string name;

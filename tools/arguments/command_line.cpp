@@ -30,8 +30,7 @@ Command solve_command(SolveArguments& arguments) {
                          "Add a nominal shape: sphere:R=1mm, cylinder:R=1mm,axis=x or wedge:angle=5deg,axis=x"}});
   add_loading(solve, arguments);
   solve.add("Loading (one of)", {{"--area", &arguments.area, "TARGETS", "Contact area, 10%: the load that gives it is found"}});
-  add_method(solve, arguments,
-             "Number of threads (default: one for each 16384 points, up to the cores that the process may use)");
+  add_method(solve, arguments);
   solve.add(
       "Output",
       {{"--out", &arguments.out, "DIR", "Folder for summary.json, steps.csv, pressure-K.npy, gap-K.npy, contact-K.png"},
@@ -114,6 +113,7 @@ Command whole_command(CommandLine& line) {
           .commands = {solve_command(line.solve),
                        generate_command(line.generate),
                        analyze_command(line.analyze),
+                       law_command(line.law),
                        {"backends", "List the backends"},
                        {"solvers", "List the solvers"},
                        {"kernels", "List the influence kernels"},

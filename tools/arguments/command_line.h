@@ -2,6 +2,7 @@
 #pragma once
 
 #include "arguments/command.h"
+#include "law/law_arguments.h"
 #include "solve/problem.h"
 #include "surface/analyze_command.h"
 #include "surface/generate_command.h"
@@ -12,6 +13,7 @@ struct CommandLine {
   SolveArguments solve;
   GenerateArguments generate;
   AnalyzeArguments analyze;
+  LawArguments law;
 };
 
 // Parsing fills the line, which must live as long as the command.

@@ -8,6 +8,7 @@
 #include "files/step_writers.h"
 #include "formats/form.h"
 #include "formats/registry.h"
+#include "law/law_arguments.h"
 #include "library.h"
 #include "solve/problem.h"
 #include "text.h"
@@ -47,6 +48,12 @@ Names values(std::string_view option) {
   if (option == "shape") return {"sphere:R=", "cylinder:R=", "wedge:angle="};
   if (option == "write") return texts(step_formats);
   if (option == "set") return keys();
+  if (option == "bulk") return {"auto", "none", "mean"};
+  if (option == "export") {
+    Names formats = texts(law_format_names);
+    for (std::string& name : formats) name += '=';
+    return formats;
+  }
   Names names;
   if (option == "format") {
     for (const Format& format : surface_formats()) names.emplace_back(format.name);
@@ -65,7 +72,7 @@ void join_at_equals(std::vector<std::string>& words) {
 
 bool takes_value(const Command& command, const std::string& word) {
   return word.starts_with("-") && std::ranges::any_of(command.options, [&](const Option& option) {
-           return word == option.name && !std::holds_alternative<bool*>(option.target);
+           return std::ranges::count(names_of(option), word) > 0 && !std::holds_alternative<bool*>(option.target);
          });
 }
 

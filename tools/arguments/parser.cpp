@@ -47,16 +47,17 @@ std::vector<std::string> given_commands(const CLI::App& app) {
 // The parser's own text has neither the values of an option nor what is to be given instead.
 std::string misuse(const Command& command, const std::vector<std::string>& words) {
   for (const Option& option : command.options) {
-    const std::string name = option.name;
-    const auto given =
-        std::ranges::count_if(words, [&](const std::string& word) { return word.substr(0, word.find('=')) == name; });
+    const std::vector<std::string> names = names_of(option);
+    const std::string& name = names.back();
+    const auto is_it = [&](const std::string& word) { return std::ranges::count(names, word.substr(0, word.find('='))) > 0; };
+    const auto given = std::ranges::count_if(words, is_it);
     const bool single = !std::holds_alternative<std::vector<std::string>*>(option.target);
     if (single && given > 1) {
       const bool several = std::string_view(option.type) == "TARGETS";
       return name + (given == 2 ? " is given twice" : format(" is given %d times", static_cast<int>(given))) +
              (several ? ", give several steps as a,b,c" : "");
     }
-    if (given > 0 && words.back() == name && !std::holds_alternative<bool*>(option.target))
+    if (given > 0 && std::ranges::count(names, words.back()) > 0 && !std::holds_alternative<bool*>(option.target))
       return name + " has no value, expected " + option.type;
   }
   return "";

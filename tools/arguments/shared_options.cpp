@@ -23,7 +23,7 @@ void add_other_body(Command& command, SurfaceArguments& surface) {
               {{"--against", &surface.against, "FILE", "Second rough body: heights on the same grid, seen from the first"}});
 }
 
-void add_loading(Command& command, SolveArguments& arguments) {
+void add_elasticity(Command& command, SolveArguments& arguments) {
   command.add("Elasticity (--modulus, or --E and --nu)",
               {{"--modulus", &arguments.modulus, "E*", "Contact modulus"},
                {"--E", &arguments.young, "E", "Young's modulus"},
@@ -31,10 +31,18 @@ void add_loading(Command& command, SolveArguments& arguments) {
                {"--E2", &arguments.young2, "E", "Young's modulus of the other body; rigid without"},
                {"--nu2", &arguments.poisson2, "NU", "Poisson's ratio of the other body"},
                {"--hardness", &arguments.hardness, "H", "Largest pressure; above it the surface yields. None: elastic"}});
+}
+
+void add_loading(Command& command, SolveArguments& arguments) {
+  add_elasticity(command, arguments);
   command.add("Loading (one of)",
               {{"--approach", &arguments.approach, "TARGETS", "Approach from first touch of the highest point"},
                {"--load", &arguments.load, "TARGETS", "Normal force"},
                {"--pressure", &arguments.pressure, "TARGETS", "Mean pressure over the whole surface"}});
+  add_boundary(command, arguments);
+}
+
+void add_boundary(Command& command, SolveArguments& arguments) {
   command.add("Method", {{"--boundary", &arguments.boundary, "NAME",
                           "periodic: the map is a sample of a larger surface; free: the body ends at its edges; periodic-x, "
                           "periodic-y: it repeats along this axis only (default: as the file says; free with a --shape; else "

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "pictures/quarters.h"
 #include "text.h"
 #include "units.h"
 
@@ -82,11 +83,7 @@ std::string lines(const Steps& steps, const Axis& x, const Axis& y, bool falling
 // One panel of two by two, and the lines of the steps over the others.
 std::string panel(int place, const char* title, const Axis& x, const Axis& y, const Steps& steps,
                   const std::string& others = "") {
-  const double left = 0.5 * (place % 2), down = 0.46 * (place / 2);
-  std::string text = format("set lmargin at screen %.4f\nset rmargin at screen %.4f\nset tmargin at screen %.4f\n", 0.105 + left,
-                            0.475 + left, 0.895 - down) +
-                     format("set bmargin at screen %.4f\nset title '%s'\n", 0.55 - down, title) + "set xlabel '" + label(x) +
-                     "'\nset ylabel '" + label(y) + "'\n";
+  std::string text = quarter(place, title, label(x), label(y));
   for (const auto& [axis, letter] : {std::pair{&x, 'x'}, std::pair{&y, 'y'}}) {
     const double most = largest(steps, axis->value) / axis->unit.factor;
     text += axis->logarithmic ? format("set logscale %c\nset %crange [*:*]\n", letter, letter)
@@ -145,13 +142,9 @@ Gnuplot draw_history(const Problem& problem, const std::vector<HistoryPoint>& st
   std::string blocks;
   const std::string others = area_others(problem, steps, area, force.unit, blocks);
   return run_gnuplot(
-      "set terminal pngcairo size 1320,1000 font 'Sans,14' background rgb 'white'\nset encoding utf8\n" +
-          format(
-              "set label 10 '%zu steps, E* %s, nominal area %s, %s boundary' at screen 0.5,0.965 center font ',18' noenhanced\n",
-              steps.size(), with_prefix(system.modulus, "Pa").c_str(), with_prefix(area, "m^2").c_str(),
-              name_of_boundary(system.boundary).data()) +
-          "set multiplot\nset border linewidth 1.2\nset grid linecolor rgb '#e0e0e0'\nset format '%g'\n" + blocks +
-          "set key top left\n" + panel(0, "contact area", force, share, steps, others) + "unset label 10\n" +
+      quarters(format("%zu steps, E* %s, nominal area %s, %s boundary", steps.size(), with_prefix(system.modulus, "Pa").c_str(),
+                      with_prefix(area, "m^2").c_str(), name_of_boundary(system.boundary).data())) +
+          blocks + "set key top left\n" + panel(0, "contact area", force, share, steps, others) +
           panel(1, "load against approach", depth, force, steps) + "set key top right\n" +
           panel(2, "mean gap", force, opening, steps) + "set key bottom right\n" +
           panel(3, "stiffness dW/dd", force, rate, steps) + "unset multiplot\n",

@@ -1,6 +1,5 @@
 #include "solve/table.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -15,17 +14,10 @@ namespace {
 
 constexpr int digits = 4;
 
-// Right-aligned in columns of a terminal, in which the bytes after the first of a character in UTF-8 take no place.
-std::string cell(const std::string& text, std::size_t width) {
-  const auto follows = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; };
-  const auto columns = text.size() - static_cast<std::size_t>(std::ranges::count_if(text, follows));
-  return std::string(columns < width ? width - columns : 0, ' ') + text;
-}
-
 std::string row(const std::string (&cells)[10], const std::string& status) {
   constexpr std::size_t widths[] = {4, 9, 9, 8, 12, 10, 13, 9, 8, 7};
   std::string line;
-  for (std::size_t k = 0; k < std::size(cells); ++k) line += (k == 0 ? "" : " ") + cell(cells[k], widths[k]);
+  for (std::size_t k = 0; k < std::size(cells); ++k) line += (k == 0 ? "" : " ") + right_aligned(cells[k], widths[k]);
   return line + "  " + status + "\n";
 }
 

@@ -11,6 +11,7 @@
 #include "formats/error.h"
 #include "formats/numbers.h"
 #include "library.h"
+#include "pictures/picture_file.h"
 #include "pictures/spectrum.h"
 #include "platform/files.h"
 #include "surface/analysis.h"
@@ -204,18 +205,6 @@ std::string document(const Analysis& a) {
   return document.text();
 }
 
-void draw(const Analysis& analysis, const std::string& path) {
-  write_whole_file(rc_platform::path_of(path), [&](std::FILE* file) {
-    const Gnuplot outcome = draw_spectrum(analysis, file);
-    if (outcome.missing) {
-      report("gnuplot not found: " + path + " not drawn");
-    } else if (!outcome.drawn) {
-      report(path + " not drawn, gnuplot failed: " + outcome.message);
-    }
-    return outcome.drawn;
-  });
-}
-
 }  // namespace
 
 void analyze(const AnalyzeArguments& arguments) {
@@ -225,7 +214,9 @@ void analyze(const AnalyzeArguments& arguments) {
     const std::string text = document(analysis);
     write_whole_file(rc_platform::path_of(*arguments.json), text);
   }
-  if (arguments.picture) draw(analysis, *arguments.picture);
+  if (arguments.picture) {
+    write_picture(*arguments.picture, [&](std::FILE* file) { return draw_spectrum(analysis, file); });
+  }
   print(analysis);
 }
 

@@ -53,6 +53,9 @@ class Completion(CommandTest):
         self.assertEqual(self.candidates("solve", "--set", "solver", "=", "haar"), ["solver=haar-cg"])
         self.assertEqual(self.candidates("solve", "--remove", "--resume", "--q"), ["--quiet"])
         self.assertEqual(self.candidates("solve", "--write", ""), ["vti", "netcdf", "hdf5"])
+        self.assertEqual(self.candidates("law", "--export", "c"), ["csv=", "calculix="])
+        self.assertEqual(self.candidates("law", "-o", "a", "--bulk", ""), ["auto", "none", "mean"])
+        self.assertEqual(self.candidates("law", "-o", "--q"), [])  # a file
         self.assertIn("dense", self.candidates("solve", "--backend", ""))
         self.assertEqual(self.candidates("solve", "f"), [])  # a file
         self.assertEqual(self.candidates("generate", "sphere", "--pa"), ["--paraboloid"])

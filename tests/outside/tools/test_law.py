@@ -1,0 +1,171 @@
+"""`roughcontact law`: made, read, evaluated, exported and drawn; odd input."""
+import json
+import os
+import signal
+import subprocess
+import time
+
+import harness
+from harness import CommandTest, np, rough, without_gnuplot
+
+MAKE = ["--pitch", "1um", "--E", "210GPa", "--nu", "0.3", "--boundary", "periodic", "--pressure", "10MPa..500MPa", "--tolerance", "1%"]
+MODULUS = 210e9 / (1 - 0.3**2)
+
+
+class Laws(CommandTest):
+    def law(self, *arguments, code=0, **settings):
+        done = self.run_command("law", *arguments, **settings)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done
+
+    def made(self, *arguments, **settings):
+        """A law, and what its JSON says."""
+        name = self.npy(rough(24, 24, rms=5e-8))
+        self.law(name, *MAKE, "-o", "a.law", "--json", "a.json", "--quiet", *arguments, **settings)
+        return json.loads((self.folder / "a.json").read_text())
+
+    def test_nodes_are_solves(self):
+        said = self.made()
+        facts, nodes = said["law"], said["nodes"]
+        self.assertEqual((facts["status"], facts["bounds"], facts["bulk"]), ("RC_OK", "convex", "none"))
+        self.assertLessEqual(facts["width"], 0.01)
+        np.testing.assert_allclose((nodes[1]["p"], nodes[-1]["p"]), (10e6, 500e6), rtol=1e-9)
+        np.testing.assert_allclose(facts["modulus"], MODULUS, rtol=1e-12)
+        node = nodes[len(nodes) // 2]
+        self.solve("surface.npy", "--pitch", "1um", "--modulus", MODULUS, "--boundary", "periodic", "--pressure", node["p"], "--out", "out", "--quiet",
+                   env=without_gnuplot())
+        (step,) = json.loads((self.folder / "out/summary.json").read_text())["steps"]
+        np.testing.assert_allclose((node["x"], node["slope"] * 576e-12, node["area_fraction"]),
+                                   (step["approach"], step["stiffness"], step["area_fraction"]), rtol=1e-6)
+
+    def test_a_law_that_is_read_has_the_rows_of_the_one_made(self):
+        rows = self.made("--at", "20MPa,200MPa")["rows"]
+        shown = self.law("a.law", "--at", "20MPa,200MPa", "--json", "b.json").stdout
+        self.assertEqual(json.loads((self.folder / "b.json").read_text())["rows"], rows)
+        self.assertEqual(len(shown.splitlines()), 10)
+        self.assertRegex(shown.splitlines()[-1], r"^ +[\d.]+ nm +200 MPa +\S+ % +[\d.]+ \w?Pa/m +[\d.]+ \w?N/m +[\d.]+ % +\S+ /m$")
+        for row in rows:
+            self.assertTrue(row["p_lower"] <= row["p"] <= row["p_upper"] and not row["beyond"])
+            np.testing.assert_allclose(row["conductance"], 2 * row["slope"] / MODULUS, rtol=1e-12)
+        again = self.law("a.law", "-o", "b.law", "--quiet")
+        self.assertEqual((again.stdout, again.stderr), ("", ""))
+        self.assertEqual((self.folder / "a.law").read_bytes(), (self.folder / "b.law").read_bytes())
+        os.rename(self.folder / "a.law", self.folder / "steel")  # known by its contents
+        self.law("steel", "--at", "1nm")
+
+    def test_beyond_the_law(self):
+        self.made()
+        done = self.law("a.law", "--at", "1m", code=2)
+        self.assertIn("--at: 1 m is beyond the law, which ends at ", done.stderr)
+        self.assertIn("unknown", done.stdout)
+        self.assertEqual(self.law("a.law", "--at", "0").stderr, "")
+
+    def test_exports_are_in_units_of_the_deck(self):
+        self.made("--export", "calculix=a.inp,csv=a.csv", "--export", "moose=a.txt", "--export", "abaqus=b.inp,table=a.tab", "--deck-units", "mm,N",
+                  "--conductivity", "50,200", "--rows", 20, "--beyond", 3)
+        columns = np.genfromtxt(self.folder / "a.csv", delimiter=",", names=True)
+        nodes = json.loads((self.folder / "a.json").read_text())["nodes"]
+        np.testing.assert_allclose((columns["overclosure"][-1], columns["pressure"][-1]), (nodes[-1]["x"] * 1e3, 500), rtol=1e-9)
+        np.testing.assert_allclose(columns["conductance"][-1], 2 * nodes[-1]["slope"] / MODULUS / 1e3 / (1 / 50 + 1 / 200), rtol=1e-9)
+        lines = (self.folder / "a.inp").read_text().splitlines()
+        self.assertIn("*GAP CONDUCTANCE", lines)
+        self.assertIn("*GAP CONDUCTANCE, PRESSURE", (self.folder / "b.inp").read_text())
+        moose = np.genfromtxt(self.folder / "a.txt", delimiter=",")
+        self.assertEqual(moose.shape, (20, 2))
+        np.testing.assert_allclose(moose[-1, 0], 3 * moose[-2, 0], rtol=1e-9)
+        table = (self.folder / "a.tab").read_text().split()
+        self.assertEqual(int(table[0]), len(table) - 1)
+
+    def test_laws_of_others_have_their_units(self):
+        said = self.made()["law"]
+        self.law("a.law", "--law-units", "um,mN", "--json", "b.json", "--export", "csv=b.csv", "--deck-units", "um,mN")
+        other = json.loads((self.folder / "b.json").read_text())["law"]
+        for name, factor in (("x_upper", 1e-6), ("p_upper", 1e9), ("area", 1e-12), ("modulus", 1e9)):
+            np.testing.assert_allclose(other[name], said[name] * factor, rtol=1e-12)
+        np.testing.assert_allclose(np.genfromtxt(self.folder / "b.csv", delimiter=",", names=True)["pressure"][-1], said["p_upper"], rtol=1e-9)
+
+    def test_levelled_masked_free_and_hard(self):
+        z = rough(24, 24, rms=5e-8) + 1e-7 * np.arange(24)
+        z[3:5, 7:9] = np.nan
+        name = self.npy(z)
+        common = [name, "--pitch", "1um", "--modulus", "230GPa", "--missing", "exclude", "--remove", "plane", "--tolerance", "5%", "--json", "a.json"]
+        done = self.law(*common, "--boundary", "free", "--pressure", "10MPa..100MPa")
+        self.assertIn("plane removed, 4 missing points excluded", done.stdout)
+        self.assertIn("change of the mean gap from first touch", done.stdout)
+        done = self.law(*common, "--boundary", "free", "--bulk", "5e6N/m", "--pressure", "10MPa..100MPa")
+        self.assertIn("less load / (5 MN/m)", done.stdout)
+        self.law(*common, "--boundary", "periodic", "--hardness", "5GPa", "--pressure", "10MPa..100MPa")
+        said = json.loads((self.folder / "a.json").read_text())["law"]
+        self.assertEqual((said["hardness"], said["bounds"]), (5e9, "slopes"))
+
+    def test_too_few_nodes_are_said(self):
+        name = self.npy(rough(24, 24, rms=5e-8))
+        done = self.law(name, *MAKE, "--max-nodes", 4, "-o", "a.law", code=2)
+        self.assertIn("the law is not certified (RC_STOP_MAX_ITER): more than --max-nodes = 4 nodes are needed", done.stderr)
+        self.assertIn("a.law", self.names())
+
+    def test_picture(self):
+        self.made()
+        done = self.law("a.law", "--picture", "a.png", "--quiet")
+        if "gnuplot not found" in done.stderr:
+            self.skipTest("gnuplot is not installed")
+        picture = (self.folder / "a.png").read_bytes()
+        self.assertTrue(picture.startswith(b"\x89PNG") and len(picture) > 20000)
+        done = self.law("a.law", "--picture", "b.png", "--quiet", env=without_gnuplot())
+        self.assertEqual(done.stderr, "roughcontact: gnuplot not found: b.png not drawn\n")
+        self.assertNotIn("b.png", self.names())
+
+    def test_interrupted_it_has_written_nothing(self):
+        name = self.npy(rough(600, 600))
+        with subprocess.Popen([harness.COMMAND, "law", name, *MAKE, "-o", "a.law", "--export", "csv=a.csv"], cwd=self.folder, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE, preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL)) as process:
+            time.sleep(0.3)
+            process.send_signal(signal.SIGINT)
+            self.assertEqual(process.wait(60), -signal.SIGINT)
+        self.assertEqual(self.names(), ["surface.npy"])
+
+
+class Refusals(CommandTest):
+    def test_wrong_arguments(self):
+        name = self.npy(rough(16, 16))
+        law = ["law", name, "--pitch", "1um", "--modulus", "1GPa", "--boundary", "periodic"]
+        pressed = [*law, "--pressure", "1kPa..1MPa"]
+        (self.folder / "folder").mkdir()
+        for arguments, says in (
+                (law, "--pressure is missing, give the range of the law as 1MPa..500MPa"),
+                ([*law, "--pressure", "1MPa"], '--pressure: "1MPa" is not a range'),
+                ([*law, "--pressure", "1MPa..1"], "has a unit and"),
+                ([*law, "--pressure", "2MPa..1MPa"], "--pressure: 2 MPa to 1 MPa is not a range that rises"),
+                ([*law, "--pressure", "0Pa..1MPa"], "is not a range that rises from a pressure above 0"),
+                ([*law, "--pressure", "1kPa..1TPa"], "--pressure: at p = "),
+                (["law", name, "--pitch", "1um", "--E", "1GPa", "--pressure", "1kPa..1MPa"], "--nu is missing"),
+                ([*pressed, "--tolerance", "20%"], '--tolerance: "20%" must be 0.0001 % .. 10 %'),
+                ([*pressed, "--tolerance", "1e-9"], "--tolerance"), ([*pressed, "--conductance-tolerance", "0"], "0.01 % .. 100 %"),
+                ([*pressed, "--bulk", "men"], 'did you mean "mean"?'), ([*pressed, "--bulk", "mean"], "--bulk: mean is for --boundary free"),
+                ([*pressed, "--bulk", "-3"], "is not a positive stiffness in N/m"), ([*pressed, "--max-nodes", "2"], "--max-nodes"),
+                ([*pressed, "--export", "a.csv"], '--export: "a.csv" has not the form FORMAT=FILE'),
+                ([*pressed, "--export", "ansys=a"], '--export: "ansys" is not known'), ([*pressed, "--rows", 20], "--rows is about the tables of --export"),
+                ([*pressed, "--export", "calculix=a", "--rows", 500], "from 5 to 200"), ([*pressed, "--export", "csv=a", "--beyond", "0.5"], "--beyond"),
+                ([*pressed, "--export", "csv=a", "--conductivity", "0"], "--conductivity"), ([*pressed, "--export", "csv=a", "--deck-units", "mm"], "mm,N"),
+                ([*pressed, "--at", "3N"], "--at"), ([*pressed, "--law-units", "um,N"], "--law-units is for a law that is read"),
+                ([*pressed, "-o", "nowhere/a.law"], "its folder is missing"), ([*pressed, "-o", "folder"], "is no regular file"),
+                ([*pressed, "-o", name], "is read or written as another file as well"), ([*pressed, "-o", "a", "--json", "./a"], "as another file"),
+                (["law", "absent.law"], "absent.law"), (["law", "absent.npy", *law[2:], "--pressure", "1kPa..1MPa"], "absent.npy")):
+            with self.subTest(arguments):
+                self.assert_fails(*arguments, says=says)
+
+    def test_damaged_laws(self):
+        name = self.npy(rough(24, 24, rms=5e-8))
+        done = self.run_command("law", name, *MAKE, "-o", "a.law", "--quiet")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        whole = (self.folder / "a.law").read_bytes()
+        for contents, says in ((whole[:-2], "damaged"), (whole.replace(b"nodes", b"modes", 1), "damaged"), (b"hello", "does not begin with"), (b"", "a.law"),
+                               (whole.replace(b"law 1\n", b"law 2\n", 1), "of version 2; this library reads up to 1: a newer library is needed")):
+            self.file("a.law", contents)
+            self.assert_fails("law", "a.law", "--export", "csv=a.csv", says=["a.law", says])
+        self.file("a.law", whole)
+        self.assert_fails("law", "a.law", "--pressure", "1MPa..2MPa", says='--pressure is about making a law, and "a.law" is one already')
+
+
+if __name__ == "__main__":
+    harness.main()

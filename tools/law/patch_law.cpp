@@ -1,0 +1,56 @@
+#include "law/patch_law.h"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace cli {
+
+double LawRow::half_width() const {
+  if (!(at.p > 0)) return 0;
+  return std::isfinite(at.p_upper) ? (at.p_upper - at.p_lower) / (2 * at.p) : std::numeric_limits<double>::infinity();
+}
+
+LawRow PatchLaw::row(double x) const {
+  LawRow row{RC_LAW_POINT_INIT, false};
+  rc_law_point& at = row.at;
+  const rc_status status = rc_law_evaluate(handle.get(), x / units.length, &at);
+  check(status, "--at");
+  row.beyond = status == RC_OUTSIDE;
+  at.x *= units.length;
+  for (double* const p : {&at.p, &at.p_lower, &at.p_upper}) *p *= units.pressure();
+  at.slope *= units.pressure() / units.length;
+  at.energy *= units.pressure() * units.length;
+  for (double* const conductance : {&at.conductance, &at.conductance_lower, &at.conductance_upper}) *conductance /= units.length;
+  return row;
+}
+
+LawRow PatchLaw::row_at_pressure(double p) const {
+  double x = 0;
+  check(rc_law_overclosure(handle.get(), p / units.pressure(), &x), "--at");
+  return row(x * units.length);
+}
+
+std::vector<rc_law_node> PatchLaw::nodes() const {
+  std::vector<rc_law_node> found(static_cast<std::size_t>(info.nodes), RC_LAW_NODE_INIT);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    rc_law_node& node = found[i];
+    check(rc_law_describe_node(handle.get(), static_cast<std::int64_t>(i), &node), "");
+    node.x *= units.length;
+    for (double* const p : {&node.p, &node.p_lower, &node.p_upper}) *p *= units.pressure();
+    for (double* const slope : {&node.slope, &node.slope_lower, &node.slope_upper, &node.between_lower, &node.between_upper})
+      *slope *= units.pressure() / units.length;
+    node.energy *= units.pressure() * units.length;
+  }
+  return found;
+}
+
+std::vector<LawRow> PatchLaw::rows(int count) const {
+  std::vector<LawRow> found;
+  const double lower = info.p_lower * units.pressure(), ratio = std::log(info.p_upper / info.p_lower) / (count - 1);
+  for (int k = 0; k + 1 < count; ++k) found.push_back(row_at_pressure(lower * std::exp(ratio * k)));
+  found.push_back(row(info.x_upper * units.length));
+  return found;
+}
+
+}  // namespace cli
