@@ -43,6 +43,9 @@ def batch(
     start: Optional[ArrayLike] = None,
     warm_start: Optional[bool] = None,
     stiffness: bool = False,
+    mean_gap: bool = False,
+    energy: bool = False,
+    intervals: bool = False,
     keep_pressure: bool = False,
     each: Optional[Callable[[int, int, Result], object]] = None,
     check: bool = True,
@@ -65,6 +68,8 @@ def batch(
     approach, load or pressure: [contacts, steps], or one history [steps] for all of them, or one number
     mask: [contacts, ny, nx] or [ny, nx], 0 where a point carries no pressure
     start: [contacts, ny, nx] pressures to begin with [force/length^2]
+    stiffness, mean_gap, energy: whether to compute them
+    intervals: whether to prove intervals of load, contact area and, with stiffness, of the stiffness
     keep_pressure: whether to keep the pressures of every contact's last step
     each: called with (contact, step, `Result`) after every step; with option threads > 1 by several threads at the same time.
         True ends the batch with Status.STOP_CANCELLED; an exception ends it and is raised
@@ -101,9 +106,11 @@ def batch(
     if starts is not None and starts.shape != (n, *system.shape):
         raise ShapeError(f"start has shape {starts.shape}; {(n, *system.shape)} is needed")
 
-    out = {name: np.full((n, steps), np.nan) for name in ("load", "approach", "contact_area", "certificate")}
-    if stiffness:
-        out["stiffness"] = np.full((n, steps), np.nan)
+    asked = {"stiffness": stiffness, "mean_gap": mean_gap, "energy": energy}
+    for name in ("load", "area", "stiffness"):
+        asked[f"{name}_lower"] = asked[f"{name}_upper"] = intervals and (stiffness or name != "stiffness")
+    always = ("load", "approach", "contact_area", "certificate")
+    out = {name: np.full((n, steps), np.nan) for name in (*always, *(name for name, wanted in asked.items() if wanted))}
     whole = {name: np.full((n, steps), -1, np.int64) for name in ("iterations", "products")}
     statuses = np.full((n, steps), int(Status.STOP_CANCELLED), np.int32)
     pressures = np.zeros((n, *system.shape)) if keep_pressure else None
@@ -146,7 +153,7 @@ def batch(
     answer = None
     if struct.written == n:
         ends: Dict[str, Any] = {"certified": struct.certified, "first": struct.first, "grid": grid}
-        arrays: Dict[str, Any] = {"stiffness": None, **out, **whole, "pressure": pressures}
+        arrays: Dict[str, Any] = {**dict.fromkeys(asked), **out, **whole, "pressure": pressures}
         answer = BatchResult(status=as_status(status), message=message, statuses=statuses, **arrays, **ends)
     accepted = answer is not None and n > 0 and not check
     conclude(Status.OK if accepted else status, message, interrupt, answer, check, product, callbacks)

@@ -10,11 +10,12 @@ from typing import Any, Callable, Dict, Mapping, NamedTuple, Optional, Tuple, Un
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _constants
+from . import _constants, plot
 from ._arrays import Doubles, Pitch, as_doubles, as_text, pointer
 from ._calls import check, conclude, last_message
 from ._elastic import Constant, modulus_of
 from ._errors import ArgumentError
+from ._keywords import options_of
 from ._library import contact_library
 from ._solve import system_for
 from ._status import Status
@@ -114,6 +115,10 @@ class Law(OwnsHandle):
         library, (first, second) = contact_library(), (1 / float(each) for each in k)
         return self._each(p, "p", lambda value, out: library.rc_law_gap_conductance(self._handle, value, first, second, out))
 
+    def plot(self, **how: Any) -> Any:
+        """`roughcontact.plot.law` of this law."""
+        return plot.law(self, **how)
+
     def save(self, path: Union[str, os.PathLike[str]]) -> None:
         """A text file with every bit of the law."""
         check(contact_library().rc_law_save(self._handle, as_text(os.fspath(path), "path")))
@@ -195,6 +200,7 @@ def law(
     check_status: bool = True,
     options: Options = None,
     context: Optional[Context] = None,
+    **keywords: Any,
 ) -> Law:
     """The contact law of a rough patch.
 
@@ -204,6 +210,7 @@ def law(
     check_status: False: a law whose tolerance is not proven is returned, with its status, instead of a `NotCertifiedError`
     The others are those of `solve`, and of `rc_law_spec`.
     """
+    options = options_of(law, options, keywords, context)
     found, gap, points = system_for(
         heights,
         undeformed_gap,

@@ -12,6 +12,7 @@ from typing import Any, Optional, Sequence, Tuple, Union
 import numpy as np
 
 from ._arrays import Pitch
+from ._errors import ArgumentError
 from ._height_map import Surface
 from ._maps import as_surface
 from ._pictures import COLOURS, GROUND
@@ -22,8 +23,9 @@ from .result import Grid, Result
 from .surface import PowerLaw, Spectrum
 
 DARK = "#{:02x}{:02x}{:02x}".format(*GROUND)
-__all__ = ["heights", "pressure", "patches", "history", "histogram", "spectrum"]
-UNITS = {"approach": "m", "load": "N", "contact_area": "m\u00b2", "stiffness": "N/m"}
+__all__ = ["heights", "pressure", "patches", "history", "law", "histogram", "spectrum"]
+UNITS = {"approach": "m", "overclosure": "m", "pressure": "Pa", "load": "N", "contact_area": "m\u00b2", "stiffness": "N/m"}
+LAW_MEMBERS = {"pressure": ("p", "p"), "area_fraction": ("area_fraction", "area"), "conductance": ("conductance", "conductance")}
 
 
 def _axes(ax: Any) -> Any:
@@ -36,11 +38,17 @@ def _axes(ax: Any) -> Any:
 
 def _with_prefix(axis: Any, unit: Optional[str]) -> None:
     """Ticks such as "20 um". Areas have none: a prefix would be squared with them."""
-    from matplotlib.ticker import EngFormatter, MaxNLocator  # type: ignore[import-not-found,unused-ignore]
+    from matplotlib.ticker import MaxNLocator  # type: ignore[import-not-found,unused-ignore]
 
     axis.set_major_locator(MaxNLocator(5))
     if unit and not unit.endswith("\u00b2"):
-        axis.set_major_formatter(EngFormatter(unit=unit))
+        _prefixes(axis, unit)
+
+
+def _prefixes(axis: Any, unit: str) -> None:
+    from matplotlib.ticker import EngFormatter  # type: ignore[import-not-found,unused-ignore]
+
+    axis.set_major_formatter(EngFormatter(unit=unit))
 
 
 def _extent(shape: Tuple[int, ...], pitch: Tuple[float, float]) -> Sequence[float]:
@@ -122,6 +130,28 @@ def history(path: HistoryResult, *, ax: Any = None, x: str = "approach", y: str 
         _with_prefix(axis, unit)
         axis.set_label_text(name.replace("_", " ") + (f" ({unit})" if unit and unit.endswith("\u00b2") else ""))
     ax.set_title(f"{path.completed} of {len(path.targets)} steps, {_status(path)}", fontsize="small")
+    return ax
+
+
+def law(found: Any, *, ax: Any = None, y: str = "pressure", points: int = 400, si: bool = True, **how: Any) -> Any:
+    """A `Law` between its bounds, on logarithmic axes. y: "pressure" against overclosure with the nodes; "area_fraction" or
+    "conductance", which is to be divided by the sum of both resistivities, against pressure. how: for plot."""
+    ax, at = _axes(ax), found._points(np.geomspace(found.info["x_lower"], found.info["x_upper"], points))
+    if y not in LAW_MEMBERS:
+        raise ArgumentError(f"y is {y!r}: one of {', '.join(LAW_MEMBERS)}")
+    x, (member, bound) = "overclosure" if y == "pressure" else "pressure", LAW_MEMBERS[y]
+    abscissa = at("x" if y == "pressure" else "p")
+    ax.loglog(abscissa, at(member), **how)
+    ax.set_autoscale_on(False)  # bounds that are not known leave the picture
+    lower, upper = (np.nan_to_num(at(f"{bound}_{end}"), posinf=1e300) for end in ("lower", "upper"))
+    ax.fill_between(abscissa, lower, upper, color=ax.lines[-1].get_color(), alpha=0.3, linewidth=0)
+    if y == "pressure":
+        ax.plot(found.nodes["x"][1:], found.nodes["p"][1:], ".", color="black", markersize=3)
+    for name, axis in ((x, ax.xaxis), (y, ax.yaxis)):
+        if si and name in UNITS:
+            _prefixes(axis, UNITS[name])
+        axis.set_label_text(name.replace("_", " ") + (" (1/m)" if si and name == "conductance" else ""))
+    ax.set_title(f"{found.info['nodes']} nodes, p within {found.info['width']:.2g}", fontsize="small")
     return ax
 
 

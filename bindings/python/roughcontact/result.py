@@ -293,7 +293,8 @@ class BatchResult(Answer):
 
     statuses: of every step, see `Status`
     load [force], approach [length], contact_area [length^2], certificate: largest residual, iterations, products
-    stiffness: dW/dd [force/length]; None unless asked for
+    stiffness: dW/dd [force/length]; None unless asked for, as mean_gap [length], energy [force length], and intervals that are proven
+        to hold the exact load, contact area and stiffness
     pressure: [contacts, ny, nx] of each contact's last step, 0 where it has none [force/length^2]; None unless asked for
     certified: contacts of which every step is certified
     first: the contact whose status is given; -1: none
@@ -309,6 +310,14 @@ class BatchResult(Answer):
     iterations: NDArray[np.int64]
     products: NDArray[np.int64]
     stiffness: Optional[Doubles]
+    mean_gap: Optional[Doubles]
+    energy: Optional[Doubles]
+    load_lower: Optional[Doubles]
+    load_upper: Optional[Doubles]
+    area_lower: Optional[Doubles]
+    area_upper: Optional[Doubles]
+    stiffness_lower: Optional[Doubles]
+    stiffness_upper: Optional[Doubles]
     pressure: Optional[Doubles]
     certified: int
     first: int

@@ -72,6 +72,20 @@ def test_batch_is_its_paths(threads):
             assert np.array_equal(getattr(answer, name)[k], getattr(alone, name))
 
 
+def test_batch_gives_what_each_path_gives(rough):
+    how = {"modulus": 1e9, "approach": [4e-8, 8e-8], "boundary": "periodic"}
+    path = rc.history(rough, **how, stiffness=True, bounds=1, options={"stiffness": 2})
+    answer = rc.batch([rough, rough], **how, stiffness=True, mean_gap=True, energy=True, intervals=True)
+    for name in ("mean_gap", "energy", "load_lower", "load_upper", "area_lower", "area_upper", "stiffness_lower", "stiffness_upper"):
+        found = getattr(answer, name)
+        assert found.shape == (2, 2) and np.array_equal(found[0], found[1])
+        if name != "mean_gap":  # a path leaves it out in sparse contact
+            assert np.allclose(found[0], getattr(path, name), rtol=1e-6), name
+    assert (answer.mean_gap[:, 1] < answer.mean_gap[:, 0]).all()
+    plain = rc.batch([rough], **how, intervals=True)
+    assert plain.load_lower is not None and plain.energy is None and plain.stiffness_lower is None
+
+
 def test_batch_shares_surfaces_histories_and_masks():
     each = surfaces(3)
     gaps = np.stack([s.undeformed_gap() for s in each])

@@ -54,6 +54,7 @@ def test_what_cannot_be_is_refused(gap):
     refused(rc.ArgumentError, "p_lower", rc.law, pressure=(1, 1), **given)
     refused(rc.InfeasibleError, "is closed", rc.law, pressure=(1, 1e4), **given)
     refused(rc.ArgumentError, "bulk is", rc.law, pressure=(1e-4, 2e-2), bulk="much", **given)
+    refused(TypeError, "did you mean 'conductance_tolerance'", rc.law, pressure=(1e-4, 2e-2), conductance_tol=1, **given)
     refused(rc.NotCertifiedError, "max_nodes", rc.law, pressure=(1e-4, 2e-2), max_nodes=5, **given)
     stopped = rc.law(pressure=(1e-4, 2e-2), max_nodes=5, check_status=False, **given)
     assert stopped.status == rc.Status.STOP_MAX_ITER and stopped.info["nodes"] <= 5

@@ -40,6 +40,24 @@ def test_every_picture(rough, tmp_path):
     pyplot.close(figure)
 
 
+def test_a_law_is_drawn_between_its_bounds(rough):
+    from matplotlib import pyplot
+
+    law = rc.law(rough, modulus=1e9, boundary="periodic", pressure=(1e5, 1e7), tolerance=0.01)
+    figure, axes = pyplot.subplots(1, 3)
+    for y, ax in zip(("pressure", "area_fraction", "conductance"), axes):
+        assert law.plot(y=y, ax=ax, points=50) is ax
+        figure.canvas.draw()
+        assert ax.get_xlabel() == ("overclosure" if y == "pressure" else "pressure") and len(ax.collections) == 1
+        assert (ax.get_xscale(), ax.get_yscale()) == ("log", "log") and ax.get_ylim()[1] < 1e12
+    x, p = axes[0].lines[0].get_data()
+    assert np.allclose(law(x), p) and np.array_equal(axes[0].lines[1].get_ydata(), law.nodes["p"][1:])
+    assert "Pa" in axes[1].get_xticklabels()[1].get_text() and "nodes, p within" in axes[0].get_title()
+    with pytest.raises(rc.ArgumentError, match="y is 'slope'"):
+        law.plot(y="slope")
+    pyplot.close("all")
+
+
 def test_axes_are_made_where_none_are_given(rough):
     from matplotlib import pyplot
 
