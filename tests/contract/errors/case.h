@@ -54,5 +54,7 @@ Section batches();
 Section direct_routines();
 Section analyses();
 Section derivatives();
+Section laws();
+Section products();
 
 }  // namespace errors

@@ -15,9 +15,9 @@ namespace {
 using namespace errors;
 
 std::vector<Section> table() {
-  return {null_pointers(), struct_sizes(), shapes(),          values(),   dense_matrices(), callbacks(),
-          steps(),         options(),      names(),           plugins(),  order_of_calls(), paths(),
-          restores(),      batches(),      direct_routines(), analyses(), derivatives()};
+  return {null_pointers(),   struct_sizes(), shapes(),      values(),         dense_matrices(), callbacks(), steps(),
+          options(),         names(),        plugins(),     order_of_calls(), paths(),          restores(),  batches(),
+          direct_routines(), analyses(),     derivatives(), laws(),           products()};
 }
 
 // Sends standard output and error to a file while it lives.
