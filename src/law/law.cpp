@@ -1,6 +1,7 @@
 #include "law/law.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -14,6 +15,20 @@ namespace {
 
 constexpr double largest = std::numeric_limits<double>::max();
 
+// A node as a table has it.
+std::array<double, law_table_node> record_of(const rc_law_node& node) {
+  return {node.x,
+          node.p_lower,
+          node.p_upper,
+          node.between_lower,
+          std::min(node.between_upper, largest),
+          static_cast<double>(node.bounds),
+          node.p,
+          node.area_fraction,
+          node.area_lower,
+          node.area_upper};
+}
+
 class LawTable {
  public:
   void begin(const rc_law_info& info, const std::vector<rc_law_node>& nodes) {
@@ -25,9 +40,8 @@ class LawTable {
     numbers_.insert(numbers_.end(), {x, p, slope, half_bend, energy});
   }
   void node(const rc_law_node& node) {
-    numbers_.insert(numbers_.end(),
-                    {node.x, node.p_lower, node.p_upper, node.between_lower, std::min(node.between_upper, largest),
-                     static_cast<double>(node.bounds), node.p, node.area_fraction, node.area_lower, node.area_upper});
+    const auto record = record_of(node);
+    numbers_.insert(numbers_.end(), record.begin(), record.end());
   }
   std::vector<double> finished() {
     const auto first = std::upper_bound(keys_.begin(), keys_.end(), 0.0);
@@ -53,11 +67,10 @@ double half_of(double lower, double upper) { return lower > 0 ? (upper / lower -
 
 double half_width(const rc_law_node& node, const rc_law_node& next) {
   const double h = next.x - node.x, low = node.between_lower, high = std::min(node.between_upper, largest);
+  const auto record = record_of(node), next_record = record_of(next);
   const auto at = [&](double t) {
-    t = std::clamp(t, 0.0, h);
-    const double lower = std::max({node.p_lower, node.p_lower + low * t, next.p_lower - high * (h - t)});
-    double upper = std::min({next.p_upper, node.p_upper + high * t, next.p_upper - low * (h - t)});
-    if (node.bounds == RC_LAW_CONVEX) upper = std::min(upper, node.p_upper + (next.p_upper - node.p_upper) * (t / h));
+    double lower = 0, upper = 0;
+    roughcontact_law_envelope(record.data(), next_record.data(), node.x + std::clamp(t, 0.0, h), &lower, &upper);
     return half_of(lower, upper);
   };
   if (!(high > low)) return at(h / 2);

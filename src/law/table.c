@@ -60,10 +60,19 @@ int roughcontact_law_pressure(const double* table, double x, double* p, double* 
   return outside(table, piece, t);
 }
 
-/* The slope squared is linear in p on each piece. */
+static double smaller(double a, double b) { return a < b ? a : b; }
+static double larger(double a, double b) { return a > b ? a : b; }
+
+/* The slope squared is linear in p on each piece. If a square leaves double precision, the sum is taken of its roots. */
 static double slope_on(const double* piece, double excess) {
   const double square = piece[2] * piece[2] + 4 * piece[3] * excess;
-  return square > 0 ? sqrt(square) : 0;
+  if (square > 1e-280 && square < 1e300) return sqrt(square);
+  {
+    const double first = piece[2], bent = 2 * sqrt(larger(piece[3], -piece[3])) * sqrt(larger(excess, 0));
+    const double most = larger(first, bent), share = most > 0 ? smaller(first, bent) / most : 0;
+    if (piece[3] >= 0) return most * sqrt(1 + share * share);
+    return first > bent ? first * sqrt((1 - share) * (1 + share)) : 0;
+  }
 }
 
 int roughcontact_law_overclosure(const double* table, double p, double* x) {
@@ -94,8 +103,16 @@ int roughcontact_law_slope(const double* table, double p, double* slope) {
   return outside(table, piece, p - piece[1]);
 }
 
-static double smaller(double a, double b) { return a < b ? a : b; }
-static double larger(double a, double b) { return a > b ? a : b; }
+void roughcontact_law_envelope(const double* node, const double* next, double x, double* p_lower, double* p_upper) {
+  const double t = x - node[0], rest = next[0] - x;
+  *p_lower = larger(node[1], node[1] + node[3] * t);
+  *p_upper = smaller(next[2], next[2] - node[3] * rest);
+  if (node[4] < DBL_MAX) { /* a bound is known */
+    *p_lower = larger(*p_lower, next[1] - node[4] * rest);
+    *p_upper = smaller(*p_upper, node[2] + node[4] * t);
+  }
+  if (node[5] == 1) *p_upper = smaller(*p_upper, node[2] + (next[2] - node[2]) * (t / (next[0] - node[0])));
+}
 
 void roughcontact_law_bounds_at(const double* table, double x, double p, struct roughcontact_law_bounds* bounds) {
   const double* const node = nodes(table) + law_table_node * (int)((piece_at(table, x) - pieces(table)) / (2 * law_table_piece));
@@ -112,14 +129,8 @@ void roughcontact_law_bounds_at(const double* table, double x, double p, struct 
     return;
   }
   {
-    const double rest = next[0] - x, rise = next[6] - node[6], share = rise > 0 ? (p - node[6]) / rise : 0;
-    bounds->p_lower = larger(node[1], node[1] + node[3] * t);
-    bounds->p_upper = smaller(next[2], next[2] - node[3] * rest);
-    if (node[4] < DBL_MAX) { /* a bound is known */
-      bounds->p_lower = larger(bounds->p_lower, next[1] - node[4] * rest);
-      bounds->p_upper = smaller(bounds->p_upper, node[2] + node[4] * t);
-    }
-    if (node[5] == 1) bounds->p_upper = smaller(bounds->p_upper, node[2] + (next[2] - node[2]) * (t / (next[0] - node[0])));
+    const double rise = next[6] - node[6], share = rise > 0 ? (p - node[6]) / rise : 0;
+    roughcontact_law_envelope(node, next, x, &bounds->p_lower, &bounds->p_upper);
     bounds->area = node[7] + (next[7] - node[7]) * larger(0, smaller(1, share));
     bounds->area_upper = next[9];
   }

@@ -31,6 +31,9 @@ struct roughcontact_law_bounds {
 /* At an overclosure > 0 and its pressure. */
 void roughcontact_law_bounds_at(const double* table, double x, double p, struct roughcontact_law_bounds* bounds);
 
+/* The bounds of p between two neighbouring nodes of a table. */
+void roughcontact_law_envelope(const double* node, const double* next, double x, double* p_lower, double* p_upper);
+
 #ifdef __cplusplus
 }
 #endif

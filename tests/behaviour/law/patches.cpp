@@ -62,12 +62,17 @@ Patch patch(std::string name, std::int32_t boundary, const char* kernel, std::in
   return made;
 }
 
+// The gap counts from the lowest point of the disc, as a law's does.
 void mask_disc(Patch& patch) {
   const auto nx = patch.problem.system.nx, ny = patch.problem.system.ny;
   for (std::int64_t iy = 0; iy < ny; ++iy)
     for (std::int64_t ix = 0; ix < nx; ++ix)
       patch.problem.mask.push_back(std::hypot(static_cast<double>(2 * ix - nx), static_cast<double>(2 * iy - ny)) <
                                    0.9 * static_cast<double>(std::min(nx, ny)));
+  double lowest = HUGE_VAL;
+  for (std::size_t i = 0; i < patch.problem.gap.size(); ++i)
+    if (patch.problem.included(i)) lowest = std::min(lowest, patch.problem.gap[i]);
+  for (double& gap : patch.problem.gap) gap -= lowest;
 }
 
 }  // namespace

@@ -249,25 +249,57 @@ void tables_hold_the_law() {
   check(content(path) == before && folder.files() == 1, "a refused export leaves the file as it was");
 }
 
-// A program that has table.c and the numbers, and not the library, gets the same bits.
-void the_evaluation_stands_alone() {
-  const Folder folder("alone");
-  const std::string table = folder / "numbers", out = folder / "out";
-  exported(table, RC_LAW_TABLE);
+// What a program prints that has table.c and the numbers, and not the library.
+std::istringstream said_alone(const Folder& folder, const std::string& table, const std::vector<double>& xs) {
   std::ostringstream command;
   command.precision(17);
   command << RC_LAW_ALONE << ' ' << table;
+  for (const double x : xs) command << ' ' << x;
+  const std::string out = folder / "out";
+  check_equal(std::system((command.str() + " > " + out).c_str()), 0, "the program");
+  return std::istringstream(content(out));
+}
+
+void the_evaluation_stands_alone() {
+  const Folder folder("alone");
+  const std::string table = folder / "numbers";
+  exported(table, RC_LAW_TABLE);
   std::vector<double> xs = overclosures(usual_law());
   xs.resize(200);
-  for (const double x : xs) command << ' ' << x;
-  check_equal(std::system((command.str() + " > " + out).c_str()), 0, "the program");
-  std::istringstream lines(content(out));
+  std::istringstream lines = said_alone(folder, table, xs);
   for (const double x : xs) {
     double p = 0, slope = 0, energy = 0, back = 0, own = 0;
     lines >> p >> slope >> energy >> back;
     const rc_law_point point = evaluate(usual_law(), x);
     rc_law_overclosure(usual_law(), point.p, &own);
     check(p == point.p && slope == point.slope && energy == point.energy && back == own, "other bits at " + text(x));
+  }
+}
+
+// Squares of its slopes are beyond double precision.
+void slopes_may_be_large_and_small() {
+  const Folder folder("slopes");
+  const std::string table = folder / "numbers";
+  exported(table, RC_LAW_TABLE);
+  std::vector<double> numbers, xs = overclosures(usual_law());
+  xs.resize(200);
+  std::istringstream text_of_table(content(table));
+  for (double number = 0; text_of_table >> number;) numbers.push_back(number);
+  numbers.erase(numbers.begin());
+  const auto pieces = static_cast<std::size_t>(numbers[1]);
+  for (const double factor : {1e200, 1e-200}) {
+    std::ostringstream scaled;
+    scaled.precision(17);
+    scaled << numbers.size();
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      scaled << '\n' << (i < 8 || i >= 8 + 5 * pieces || (i - 8) % 5 == 0 ? 1 : factor) * numbers[i];
+    write(table, scaled.str());
+    std::istringstream lines = said_alone(folder, table, xs);
+    for (const double x : xs) {
+      std::string p, slope, energy, back;
+      lines >> p >> slope >> energy >> back;
+      check(x <= 0 || std::abs(std::stod(back) / x - 1) < 1e-9, "the inverse of " + text(x) + " is " + back + " at p = " + p);
+    }
   }
 }
 
@@ -367,6 +399,7 @@ int main(int argc, char** argv) {
                            {"damaged files are refused", damaged_files_are_refused},
                            {"tables hold the law", tables_hold_the_law},
                            {"the evaluation stands alone", the_evaluation_stands_alone},
+                           {"slopes may be large and small", slopes_may_be_large_and_small},
                            {"the datum does not matter", the_datum_does_not_matter},
                            {"no bound is beyond the hardness", no_bound_is_beyond_the_hardness},
                            {"bad input is refused", bad_input_is_refused},
