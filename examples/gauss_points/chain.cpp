@@ -73,7 +73,10 @@ std::vector<ChainStep> run(Chain chain, std::vector<ContactLaw>& laws, double dt
     for (std::size_t i = 0; i < n; ++i) chain.velocity[i] += 0.5 * dt * (before[i] + a[i]);
     chain.position = u;
     for (ContactLaw& law : laws) law.commit();
-    for (const ContactLaw::Answer& answer : contact) now.contact_force += answer.force;
+    for (const ContactLaw::Answer& answer : contact) {
+      now.contact_force += answer.force;
+      now.tabulated += answer.tabulated;
+    }
     now.position = u;
     history.push_back(now);
   }

@@ -16,6 +16,7 @@ struct ChainStep {
   double time = 0;
   int newton_iterations = 0;
   double contact_force = 0;  // of all points
+  int tabulated = 0;         // points of which it is by the law
   double residual = 0;       // the largest unbalanced force
   std::vector<double> position;
 };

@@ -1,7 +1,7 @@
 // The contact law of one Gauss point: a rough patch pressed against a half-space. To be copied into a finite element code.
 #pragma once
 
-#include <roughcontact/roughcontact.h>
+#include <roughcontact/law.h>
 
 #include <memory>
 #include <stdexcept>
@@ -19,6 +19,15 @@ class ContactLaw {
   struct Answer {
     double force = 0, tangent = 0;  // F and dF/d(displacement)
     double contact_area = 0;
+    bool tabulated = false;  // from the law of tabulate(), not from the solver
+  };
+
+  // Where a step has ended, and all that a restart file needs.
+  struct State {
+    std::vector<double> pressures;    // of the last step that was solved: they save time; empty: none
+    std::vector<double> indentation;  // plastic, with a hardness; empty: none
+    double deepest = 0;               // the largest displacement
+    double indented = 0;  // the displacement that the indentation is of; smaller than `deepest` after steps by the law
   };
 
   // Options of the library and their values as text, see `roughcontact options`.
@@ -34,27 +43,43 @@ class ContactLaw {
   // Of a flat square punch of this side: the number is Love's constant for the square in the limit of fine grids.
   static double square_stiffness(double modulus, double side) { return modulus * side / 0.86783; }
 
+  // Makes the contact law of the patch (<roughcontact/law.h>) between these nominal pressures. From then on evaluate() takes it
+  // where the history allows it, which takes a fraction of a microsecond:
+  //   without a hardness   always, because elastic contact without friction has no history
+  //   with one             at displacements that no step has exceeded, because a law describes first loading
+  // All other trials are solved: unloading, loading again up to the largest displacement, and pressures beyond the law's. Forces
+  // by the law are within the tolerance of those by the solver. subtract_bulk() comes before.
+  void tabulate(double p_lower, double p_upper, double tolerance = 1e-3);
+
   // At a displacement from first touch, > 0 into the other body. A trial: it starts from the committed state, so that the answer
   // depends on that and the displacement alone, not on the trials before.
   Answer evaluate(double displacement);
 
-  // Makes the last trial the state from which the next ones start, when the step is accepted. Contact without friction has no
-  // history: the state saves time, and is all that a restart file needs.
+  // Makes the last trial the state from which the next ones start, when the step is accepted.
   void commit() { state_ = trial_; }
-  const std::vector<double>& state() const { return state_; }
-  void restore(std::vector<double> state) { state_ = std::move(state); }
+  const State& state() const { return state_; }
+  void restore(State state) { state_ = std::move(state); }
 
   double area() const { return area_; }
 
  private:
   struct Destroy {
     void operator()(rc_contact* contact) const { rc_contact_destroy(contact); }
+    void operator()(rc_options* options) const { rc_options_destroy(options); }
+    void operator()(rc_law* law) const { rc_law_destroy(law); }
   };
 
+  bool law_holds(double displacement) const;
   Answer press(double approach);
+  Answer solve(double displacement);
 
+  rc_system system_;
+  std::unique_ptr<rc_options, Destroy> options_;
   std::unique_ptr<rc_contact, Destroy> contact_;
-  std::vector<double> gap_, state_, trial_;  // pressures; empty: none yet
+  std::unique_ptr<rc_law, Destroy> law_;
+  double law_from_ = 0, law_to_ = 0;  // displacements of its first and last node
+  std::vector<double> gap_, indented_gap_;
+  State state_, trial_;
   double area_ = 0, bulk_stiffness_ = 0;
 };
 

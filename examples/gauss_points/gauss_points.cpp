@@ -1,4 +1,6 @@
-// gauss_points [THREADS]: eight masses on a row of springs fall onto eight different rough patches and bounce.
+// gauss_points [THREADS]: eight masses on a row of springs fall onto eight different rough patches and bounce. Every second patch
+// has a hardness. Elastic patches always take their contact laws; the others take theirs while they are loaded for the first
+// time, and the solver when they bounce back.
 #include <roughcontact/surface.h>
 
 #include <cstdio>
@@ -10,7 +12,8 @@
 namespace {
 
 constexpr int points = 8, side = 64;
-constexpr double pitch = 1e-6, modulus = 70e9;  // cells of 1 um, Pa
+constexpr double pitch = 1e-6, modulus = 70e9, hardness = 1e9;                   // cells of 1 um, Pa
+constexpr double least_pressure = 1e6, most_pressure = 200e6, tolerance = 1e-2;  // of the laws
 
 ContactLaw rough_patch(std::uint64_t seed) {
   rc_surface_spectral_spec spec = RC_SURFACE_SPECTRAL_SPEC_INIT;
@@ -26,8 +29,10 @@ ContactLaw rough_patch(std::uint64_t seed) {
   system.nx = system.ny = side;
   system.hx = system.hy = pitch;
   system.modulus = modulus;
+  if (seed % 2 == 0) system.hardness = hardness;
   ContactLaw law(system, heights);
   law.subtract_bulk(ContactLaw::square_stiffness(modulus, side * pitch));
+  law.tabulate(least_pressure, most_pressure, tolerance);
   return law;
 }
 
@@ -45,11 +50,12 @@ int main(int count, char** arguments) {
     chain.position.assign(points, -0.05e-6);
     chain.velocity.assign(points, 0.05);  // m/s
 
-    std::puts("time [us]  Newton   contact force [N]   mean displacement [um]");
+    std::puts("time [us]  Newton   contact force [N]   mean displacement [um]  points by law");
     for (const ChainStep& step : run(chain, laws, 0.5e-6, 24, threads)) {
       double mean = 0;
       for (const double u : step.position) mean += u / points;
-      std::printf("%9.1f  %6d   %17.6f   %22.6f\n", step.time * 1e6, step.newton_iterations, step.contact_force, mean * 1e6);
+      std::printf("%9.1f  %6d   %17.6f   %22.6f  %13d\n", step.time * 1e6, step.newton_iterations, step.contact_force, mean * 1e6,
+                  step.tabulated);
     }
   } catch (const std::exception& failure) {
     std::fprintf(stderr, "%s\n", failure.what());

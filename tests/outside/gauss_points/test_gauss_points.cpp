@@ -96,16 +96,45 @@ void trials_do_not_depend_on_the_trials_before(void**) {
   ContactLaw law(grid(), rough(6));
   law.evaluate(0.5);
   law.commit();
-  const std::vector<double> state = law.state();
+  const ContactLaw::State state = law.state();
   const ContactLaw::Answer first = law.evaluate(0.6);
   law.evaluate(2);
   law.evaluate(0.01);
   const ContactLaw::Answer again = law.evaluate(0.6);
   assert_true(first.force == again.force && first.tangent == again.tangent);
   law.commit();
-  assert_true(law.state() != state);
+  assert_true(law.state().pressures != state.pressures);
   law.restore(state);
   assert_true(law.evaluate(0.6).force == first.force);
+}
+
+// One that takes its law where it holds, and one that always solves, on the same way in and out.
+void the_law_is_taken_where_the_history_allows_it(void**) {
+  constexpr double tolerance = 1e-3;
+  for (const double hardness : {0.0, 0.2}) {
+    rc_system system = grid();
+    system.hardness = hardness;
+    ContactLaw law(system, rough(8)), solver(system, rough(8));
+    law.tabulate(1e-3, 5e-2, tolerance);
+    struct Step {
+      double displacement;
+      bool first_loading;
+    };
+    for (const auto& [displacement, first_loading] :
+         {Step{0.5, true}, Step{0.7, true}, Step{0.6, false}, Step{0.65, false}, Step{0.75, true}, Step{0.4, false}}) {
+      const ContactLaw::Answer answer = law.evaluate(displacement), solved = solver.evaluate(displacement);
+      assert_int_equal(answer.tabulated, first_loading || hardness == 0);
+      assert_false(solved.tabulated);
+      if (!close(answer.force, solved.force, 3 * tolerance))
+        fail_msg("hardness %g, displacement %g: %.10g, solved %.10g", hardness, displacement, answer.force, solved.force);
+      law.commit();
+      solver.commit();
+    }
+    const double indentation = law.state().indentation.empty() ? 0 : largest(law.state().indentation);
+    assert_int_equal(indentation > 0, hardness > 0);
+    assert_false(law.evaluate(1e-6).tabulated);  // below the law
+    assert_false(law.evaluate(3).tabulated);     // beyond it
+  }
 }
 
 void no_contact_no_force(void**) {
@@ -170,6 +199,7 @@ int main() {
       cmocka_unit_test(tangents_are_those_of_finite_differences),
       cmocka_unit_test(subtracting_the_bulk_moves_the_displacement),
       cmocka_unit_test(trials_do_not_depend_on_the_trials_before),
+      cmocka_unit_test(the_law_is_taken_where_the_history_allows_it),
       cmocka_unit_test(no_contact_no_force),
       cmocka_unit_test(failures_are_exceptions_with_the_message),
       cmocka_unit_test(threads_change_no_bit_of_a_time_loop),
