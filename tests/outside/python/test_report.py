@@ -86,6 +86,7 @@ def test_one_clear_line_and_status_1(file, tmp_path, capsys, monkeypatch):
         (["report", *good[:-1], str(tmp_path / "none" / "page.html")], "does not exist"),
         (["report", *good[:-1], str(tmp_path)], "is a folder"),
         (["report", *good, "--tol", "-1"], "tol"),
+        (["report", *good, "--law", file], "does not begin with"),
     ):
         monkeypatch.setattr(page, "NEEDED", ("numpy",))
         assert command.main(arguments) == 1, arguments

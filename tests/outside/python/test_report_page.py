@@ -64,6 +64,15 @@ def test_one_page_that_holds_all(tmp_path, capsys):
     assert not list(tmp_path.glob(".page*"))
 
 
+def test_a_law_is_shown_with_the_steps(tmp_path):
+    surface = rc.surface.spectral((32, 32), pitch=1e-6, rms_slope=0.1, q_rolloff=2 * np.pi / 16e-6, seed=5)
+    law = rc.law(surface, E=210e9, nu=0.3, boundary="periodic", pressure=(1e7, 1e9), tolerance=0.01)
+    law.save(tmp_path / "a.law")
+    page = written(tmp_path, (32, 32), "--pressure", "500MPa,600MPa", "--law", str(tmp_path / "a.law"))
+    lower, upper, line, steps = json.loads(unpacked(page, "figures"))["law"]["data"]
+    assert 'id="law"' in page and len(line["x"]) == 200 and steps["name"] == "steps" and len(steps["x"]) == 2
+
+
 def test_the_documented_command(tmp_path, monkeypatch):
     shown = (
         re.search(r"^python3 -m roughcontact (report .*)$", DOCUMENT.read_text(encoding="utf-8"), re.M)

@@ -13,6 +13,7 @@ from .._blocks import largest, means, side_of_blocks
 from .._errors import ArgumentError, LibraryNotFoundError
 from .._files import read
 from .._height_map import Surface
+from .._law import Law
 from .._maps import as_surface
 from .._status import Status
 from ..analysis import Histogram, Patches
@@ -44,6 +45,7 @@ class Maps:
 class Content:
     """surface: as pressed; missing: points that the file does not have
     assumes_boundary: neither the request nor the file says it
+    contact_law: of --law
     statistics, spectrum, law: None where the library for them is absent or points are missing
     steps: their answers, without arrays
     persson: rms slope of Persson's line; None if the surface is not one of his theory, elastic, periodic and nearly Gaussian
@@ -64,6 +66,7 @@ class Content:
     maps: Maps
     histogram: Optional[Histogram]
     patches: Patches
+    contact_law: Optional[Law]
     version: str
     date: str
 
@@ -141,6 +144,7 @@ def _options(request: Request) -> Dict[str, Any]:
 
 
 def collect(request: Request) -> Content:
+    contact_law = Law.load(request.law) if request.law else None
     surface, missing, assumed = _prepared(request)
     boundary = request.boundary or ("free" if surface.periodic is False else "periodic")
     system = HalfSpace(
@@ -173,6 +177,7 @@ def collect(request: Request) -> Content:
         maps=_maps(surface, result),
         histogram=result.histogram(BINS) if result.contacts else None,
         patches=result.find_patches(),
+        contact_law=contact_law,
         version=".".join(map(str, version())),
         date=datetime.date.today().isoformat(),
     )

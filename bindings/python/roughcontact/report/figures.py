@@ -6,6 +6,7 @@ from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
 import numpy as np
 
 from .._arrays import Doubles
+from .._constants import RC_LAW_BULK_MEAN
 from .._pictures import COLOURS, GROUND
 from .content import Content
 from .quantities import prefix_for
@@ -41,7 +42,7 @@ class Figures:
 
     def all(self) -> List[Figure]:
         found: List[Optional[Figure]] = [*self.curves()] if len(self.loads) > 1 else []
-        found += [self.pressure_map(), self.height_map(), self.gap_map(), self.pressures(), self.patches()]
+        found += [self.contact_law(), self.pressure_map(), self.height_map(), self.gap_map(), self.pressures(), self.patches()]
         return [each for each in [*found, self.spectrum(), self.bearing()] if each is not None]
 
     def _figure(self, traces: Sequence[Any], x: str, y: str, **layout: Any) -> Any:
@@ -133,6 +134,39 @@ class Figures:
                 title = f"{name.capitalize()} against load"
                 found.append(Figure(key, title, told, self._curve(values, unit, name, y_log)))
         return found
+
+    def contact_law(self) -> Optional[Figure]:
+        law = self.content.contact_law
+        if law is None:
+            return None
+        info, steps = law.info, self.content.steps
+        at = law._points(np.geomspace(info["x_lower"], info["x_upper"], 200))
+        x, (length, metre), (pressure, pascal) = at("x"), prefix_for(info["x_upper"]), prefix_for(info["p_upper"])
+        line: Any = {"mode": "lines", "line": {"width": 0}, "showlegend": False, "hoverinfo": "skip"}
+        of_steps = np.array([step.approach for step in steps])
+        if info["bulk"] == RC_LAW_BULK_MEAN:
+            of_steps = info["mean_gap"] - np.array([step.mean_gap for step in steps])
+        elif info["bulk_stiffness"]:
+            of_steps = of_steps - self.loads / info["bulk_stiffness"]
+        hover = f"%{{x:.4g}} {metre}m: %{{y:.4g}} {pascal}Pa<extra>%{{fullData.name}}</extra>"
+        named: Any = {"hovertemplate": hover}
+        traces = [
+            self.graph.Scatter(x=x / length, y=at("p_lower") / pressure, **line),
+            self.graph.Scatter(x=x / length, y=at("p_upper") / pressure, fill="tonexty", fillcolor="rgba(230, 0, 46, 0.3)", **line),
+            self.graph.Scatter(x=x / length, y=at("p") / pressure, mode="lines", name="law", line={"color": RED}, **named),
+            self.graph.Scatter(
+                x=of_steps / length,
+                y=[step.mean_pressure / pressure for step in steps],
+                mode="markers",
+                name="steps",
+                marker={"color": BLUE},
+                **named,
+            ),
+        ]
+        told = f"Contact law of {info['nodes']} nodes, nominal pressure within {100 * info['width']:.2g} %, and the steps of the table."
+        labels = f"overclosure [{metre}m]", f"nominal pressure [{pascal}Pa]"
+        figure = self._figure(traces, *labels, xaxis_type="log", yaxis_type="log")
+        return Figure("law", "Pressure against overclosure", told, figure)
 
     def _map(self, values: Doubles, unit: str, name: str, colours: Any, **how: Any) -> Any:
         maps = self.content.maps

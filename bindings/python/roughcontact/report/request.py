@@ -34,6 +34,7 @@ class Request(argparse.Namespace):
     tol: Optional[float]
     accuracy: Optional[float]
     threads: Optional[int]
+    law: Optional[str]
     command: str
 
 
@@ -86,6 +87,7 @@ def parser() -> Parser:
     made.add_argument(
         "--accuracy", type=_number, metavar="GOAL", help="accepted relative error of the load: a coarser grid is used if its estimated error is below this"
     )
+    made.add_argument("--law", metavar="FILE", help="show this contact law of the surface, in m and N, see roughcontact law")
     made.add_argument("--threads", type=_threads, metavar="N", help="number of threads (default: all cores)")
     return made
 
