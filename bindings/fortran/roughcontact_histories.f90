@@ -106,11 +106,11 @@ contains
   !     type(c_ptr), value :: user
   subroutine rcf_batch_solve(system, undeformed_gap, approaches, loads, mask, warm_start, p0, p, load, approach, contact_area, &
     mean_gap, energy, stiffness, load_lower, load_upper, area_lower, area_upper, stiffness_lower, stiffness_upper, certificate, &
-    status, iterations, products, fn, user, options, certified, first, progress, stat, errmsg)
+    status, iterations, products, fn, user, options, virgin, certified, first, progress, stat, errmsg)
     type(rc_system), intent(in) :: system
     real(c_double), intent(in), target, contiguous :: undeformed_gap(:, :, :)
     real(c_double), intent(in), optional, target, contiguous :: approaches(:, :), loads(:, :), p0(:, :, :)
-    logical, intent(in), optional :: mask(:, :, :), warm_start
+    logical, intent(in), optional :: mask(:, :, :), warm_start, virgin
     real(c_double), intent(inout), optional, target, contiguous :: p(:, :, :), load(:, :), approach(:, :), &
       contact_area(:, :), mean_gap(:, :), energy(:, :), stiffness(:, :), load_lower(:, :), load_upper(:, :), area_lower(:, :), &
       area_upper(:, :), stiffness_lower(:, :), stiffness_upper(:, :), certificate(:, :)
@@ -186,6 +186,7 @@ contains
     if (present(warm_start)) batch%warm_start = merge(1, 0, warm_start)
     if (present(fn)) batch%fn = fn
     if (present(progress)) batch%progress = progress
+    if (present(virgin)) batch%virgin = merge(1, 0, virgin)
     batch%user = rcf_or_null(user)
     answer = rc_batch_solve(sized, rcf_or_null(options), batch)
     if (present(certified)) certified = int(batch%certified)

@@ -101,7 +101,7 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_batch
-    integer(c_size_t) :: struct_size = merge(272, 172, c_intptr_t == 8)
+    integer(c_size_t) :: struct_size = merge(280, 180, c_intptr_t == 8)
     integer(c_int32_t) :: control = 0, warm_start = 1
     integer(c_int64_t) :: n = 0, steps = 0
     type(c_ptr) :: targets = c_null_ptr  ! const double *
@@ -121,6 +121,7 @@ module roughcontact_structs
     type(c_ptr) :: user = c_null_ptr  ! void *
     integer(c_int64_t) :: written = 0, certified = 0, first = -1
     type(c_funptr) :: progress = c_null_funptr  ! integer(c_int32_t) function progress(ended, user) bind(c)
+    integer(c_int32_t) :: virgin = 0, reserved = 0
   end type
 
   type, bind(c) :: rc_level

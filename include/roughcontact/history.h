@@ -133,13 +133,15 @@ typedef struct rc_batch {
   int64_t certified;    /* out: contacts of which every step is certified                                            */
   int64_t first;        /* out: the contact whose status is returned; -1: none, or RC_WITHIN_GOAL                    */
   rc_batch_progress_fn progress; /* sees how far the batch is; NULL: none                                            */
+  int32_t virgin;       /* as in rc_history; each contact begins without indentation in any case                     */
+  int32_t reserved;     /* 0                                                                                         */
 } rc_batch;
 #define RC_BATCH_INIT RC_BEGIN_WITH_TWO(rc_batch, warm_start = 1, first = -1)
 
 /** Solves the history of every contact, each as by an rc_contact of its own and rc_contact_solve_history: the same bits, whatever
  *  the number of threads. A solver that takes many contacts at once ("haar-cuda") gives other bits than contacts of their own,
  *  with the same certificate; whatever the number of threads and of contacts, too. It is asked where fn and the outputs from
- *  mean_gap to stiffness_upper are NULL.
+ *  mean_gap to stiffness_upper are NULL and virgin is 0.
  *  Option threads: contacts that are solved at the same time, each by one thread; where the system refuses threads, fewer.
  *  Option time_limit: seconds for the whole batch. options may be NULL. A CALLBACK system's apply is called from several threads
  *  at the same time. All threads have ended when the call returns.

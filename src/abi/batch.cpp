@@ -11,6 +11,8 @@ extern "C" rc_status rc_batch_solve(const rc_system* system, const rc_options* o
     batch->written = batch->certified = 0;
     batch->first = -1;
     check_switch(today.warm_start, "rc_batch.warm_start");
+    check_switch(today.virgin, "rc_batch.virgin");
+    check_reserved(today.reserved, "rc_batch.reserved");
     const BatchOutcome outcome = solve_batch(read<rc_system>(system, "rc_system", RC_SYSTEM_INIT),
                                              options ? *options : rc_options{Context::standard(), {}}, today);
     batch->written = today.n;

@@ -42,6 +42,7 @@ def batch(
     missing: str = "reject",
     start: Optional[ArrayLike] = None,
     warm_start: Optional[bool] = None,
+    virgin: Optional[bool] = None,
     stiffness: bool = False,
     mean_gap: bool = False,
     energy: bool = False,
@@ -68,6 +69,7 @@ def batch(
     approach, load or pressure: [contacts, steps], or one history [steps] for all of them, or one number
     mask: [contacts, ny, nx] or [ny, nx], 0 where a point carries no pressure
     start: [contacts, ny, nx] pressures to begin with [force/length^2]
+    virgin: as in `history`
     stiffness, mean_gap, energy: whether to compute them
     intervals: whether to prove intervals of load, contact area and, with stiffness, of the stiffness
     keep_pressure: whether to keep the pressures of every contact's last step
@@ -115,7 +117,7 @@ def batch(
     statuses = np.full((n, steps), int(Status.STOP_CANCELLED), np.int32)
     pressures = np.zeros((n, *system.shape)) if keep_pressure else None
 
-    struct = given(rc_batch(), control=what.control, warm_start=as_switch(warm_start), n=n, steps=steps, **out, **whole)
+    struct = given(rc_batch(), control=what.control, warm_start=as_switch(warm_start), virgin=as_switch(virgin), n=n, steps=steps, **out, **whole)
     given(struct, targets=targets, undeformed_gap=gaps, mask=masks, p0=starts, p=pressures, status=statuses)
     for name, array, own in (("target", targets, 2), ("undeformed_gap", gaps, axes + 1), ("mask", masks, axes + 1)):
         setattr(struct, f"{name}_stride", _constants.RC_BATCH_SHARED if array is not None and array.ndim < own else 0)

@@ -86,7 +86,7 @@ class rc_batch(Sized):
     doubles p0 p load approach contact_area mean_gap energy stiffness load_lower load_upper area_lower;
     doubles area_upper stiffness_lower stiffness_upper certificate; statuses status;
     integers iterations products; rc_batch_fn fn; handle user; int64_t written certified first=-1;
-    rc_batch_progress_fn progress"""
+    rc_batch_progress_fn progress; int32_t virgin reserved"""
 
 
 @struct

@@ -192,6 +192,8 @@ class Worker {
   Worker(std::unique_ptr<Contact> contact, const Request& request, Progress& progress, const ManySolve* many)
       : contact_(std::move(contact)), request_(request), progress_(progress), many_(many) {
     contact_->watcher().progress = {ask, &progress_, 1};
+    const rc_options& options = contact_->problem().options;
+    contact_->ask({options.integer(RC_OPT_STIFFNESS), options.integer(RC_OPT_BOUNDS), request.given.virgin == 0});
     const auto points = static_cast<std::size_t>(request_.points);
     if (request_.given.fn) p_.resize(points);
     if (request_.given.fn || request_.given.mean_gap) gap_.resize(points);

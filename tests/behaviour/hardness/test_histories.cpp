@@ -128,6 +128,25 @@ void certify_sees_the_indentation() {
 
 const double shares[] = {0.6, 1.0, 0.3, 1.1, 0.8};
 
+// Each contact of a batch of this path begins without indentation.
+void check_batch(const Problem& problem, const rc_history& path, const Field& loads) {
+  Field of_batch(3 * loads.size());
+  rc_batch batch = RC_BATCH_INIT;
+  batch.control = path.control;
+  batch.warm_start = path.warm_start;
+  batch.virgin = path.virgin;
+  batch.n = 3;
+  batch.steps = path.n;
+  batch.targets = path.targets;
+  batch.target_stride = batch.undeformed_gap_stride = RC_BATCH_SHARED;
+  batch.undeformed_gap = problem.gap.data();
+  batch.load = of_batch.data();
+  const Options options = make_options(pair, problem.kernel);
+  check(rc_batch_solve(&problem.system, options.get(), &batch) == RC_OK, rc_last_error());
+  for (std::size_t i = 0; i < of_batch.size(); ++i)
+    check(of_batch[i] == loads[i % loads.size()], "the loads of a batch are those of a path");
+}
+
 void a_path_is_its_steps() {
   const Problem problem = yielding(RC_BOUNDARY_PERIODIC);
   const Contact single(problem, pair), whole(problem, pair);
@@ -150,20 +169,7 @@ void a_path_is_its_steps() {
   check_same(loads, expected, "loads");
   check_same(indentation_of(whole, problem.points()), indentation_of(single, problem.points()), "indentation");
 
-  // Each contact of a batch begins without indentation.
-  Field of_batch(3 * targets.size());
-  rc_batch batch = RC_BATCH_INIT;
-  batch.control = problem.control;
-  batch.n = 3;
-  batch.steps = path.n;
-  batch.targets = targets.data();
-  batch.target_stride = batch.undeformed_gap_stride = RC_BATCH_SHARED;
-  batch.undeformed_gap = problem.gap.data();
-  batch.load = of_batch.data();
-  const Options options = make_options(pair, problem.kernel);
-  check(rc_batch_solve(&problem.system, options.get(), &batch) == RC_OK, rc_last_error());
-  for (std::size_t i = 0; i < of_batch.size(); ++i)
-    check(of_batch[i] == expected[i % expected.size()], "the loads of a batch are those of a path");
+  check_batch(problem, path, expected);
 }
 
 // With `virgin` each step is that of a contact of its own, and the history leaves no indentation.
@@ -193,6 +199,7 @@ void a_virgin_history_presses_the_first_surface() {
       for (std::size_t i = 0; i < targets.size(); ++i)
         check_near(loads[i], expected(targets[i], {}), 1e-10 * loads[i], "load of a virgin surface");
       check_same(indentation_of(contact, problem.points()), Field(problem.points(), 0.0), "indentation");
+      check_batch(problem, path, loads);
 
       // A step before it leaves what all of its steps see; steps after it leave theirs again.
       check_status(contact.solve(at(problem, 0.9)), RC_OK);

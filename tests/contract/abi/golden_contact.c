@@ -206,7 +206,7 @@ AT(rc_history, completed, 176);
 AT(rc_history, want_gap, 184);
 AT(rc_history, virgin, 188);
 
-SIZE(rc_batch, 272);
+SIZE(rc_batch, 280);
 AT(rc_batch, struct_size, 0);
 AT(rc_batch, control, 8);
 AT(rc_batch, warm_start, 12);
@@ -242,6 +242,8 @@ AT(rc_batch, written, 240);
 AT(rc_batch, certified, 248);
 AT(rc_batch, first, 256);
 AT(rc_batch, progress, 264);
+AT(rc_batch, virgin, 272);
+AT(rc_batch, reserved, 276);
 
 SIZE(rc_gradient, 88);
 AT(rc_gradient, struct_size, 0);

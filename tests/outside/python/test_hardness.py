@@ -41,6 +41,7 @@ def test_a_virgin_history_keeps_none(rough):
     alone = [rc.solve(rough, **HOW, approach=target).load for target in targets]
     assert np.allclose(history.load, alone, rtol=1e-6) and history.capped[1] > 0
     assert rc.history(rough, **HOW, approach=targets).load[2] < 0.99 * alone[2]
+    assert np.array_equal(rc.batch([rough] * 2, **HOW, approach=targets, virgin=True).load, [history.load] * 2)
     with rc.Contact(rc.HalfSpace.under(rough, **HOW)) as contact:
         contact.history(rough, approach=targets, virgin=True)
         assert not contact.indentation().any()
