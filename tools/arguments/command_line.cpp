@@ -26,8 +26,7 @@ Command solve_command(SolveArguments& arguments) {
   Command solve{"solve", "Press a rough surface against a flat half-space", solve_help};
   add_surface(solve, arguments.surface, "Missing points: reject (default), fill (interpolate) or exclude (from contact)");
   add_other_body(solve, arguments.surface);
-  solve.add("Surface", {{"--shape", &arguments.surface.shape, "SHAPE",
-                         "Add a nominal shape: sphere:R=1mm, cylinder:R=1mm,axis=x or wedge:angle=5deg,axis=x"}});
+  add_shape(solve, arguments.surface);
   add_loading(solve, arguments);
   solve.add("Loading (one of)", {{"--area", &arguments.area, "TARGETS", "Contact area, 10%: the load that gives it is found"}});
   add_method(solve, arguments);

@@ -23,6 +23,11 @@ void add_other_body(Command& command, SurfaceArguments& surface) {
               {{"--against", &surface.against, "FILE", "Second rough body: heights on the same grid, seen from the first"}});
 }
 
+void add_shape(Command& command, SurfaceArguments& surface) {
+  command.add("Surface", {{"--shape", &surface.shape, "SHAPE",
+                           "Add a nominal shape: sphere:R=1mm, cylinder:R=1mm,axis=x or wedge:angle=5deg,axis=x"}});
+}
+
 void add_elasticity(Command& command, SolveArguments& arguments) {
   command.add("Elasticity (--modulus, or --E and --nu)",
               {{"--modulus", &arguments.modulus, "E*", "Contact modulus"},

@@ -9,6 +9,7 @@ namespace cli {
 // The surface. rows: only what a process can do that has a part of the rows of a .npy file.
 void add_surface(Command& command, SurfaceArguments& surface, const char* missing_help, bool rows = false);
 void add_other_body(Command& command, SurfaceArguments& surface);
+void add_shape(Command& command, SurfaceArguments& surface);
 
 void add_elasticity(Command& command, SolveArguments& arguments);
 void add_boundary(Command& command, SolveArguments& arguments);

@@ -22,6 +22,7 @@ void add_making(Command& command, LawArguments& arguments) {
   SolveArguments& contact = arguments.contact;
   add_surface(command, contact.surface, "Missing points: reject (default), fill (interpolate) or exclude (from contact)");
   add_other_body(command, contact.surface);
+  add_shape(command, contact.surface);
   add_elasticity(command, contact);
   command.add(
       "Law",
@@ -30,9 +31,9 @@ void add_making(Command& command, LawArguments& arguments) {
        {"--conductance-tolerance", &arguments.conductance_tolerance, "SHARE",
         "The same of the conductance (default: as it comes)"},
        {"--bulk", &arguments.bulk, "NAME or STIFFNESS",
-        "What yields beside the patch and is not in the overclosure: auto (default), none, mean (change of the mean "
-        "gap, with free boundaries), or a stiffness in N/m"},
-       {"--max-nodes", &arguments.max_nodes, "N", "End with the bounds that so many nodes give (default 10000)"}});
+        "What the half-space yields as a whole, which is not in the overclosure: auto (default), none, mean (the overclosure "
+        "is the change of the mean gap; free boundaries), or force over deflection in N/m"},
+       {"--max-nodes", &arguments.max_nodes, "N", "Stop at N nodes, with the bounds that they give (default 10000)"}});
   add_boundary(command, contact);
   add_method(command, contact);
 }
@@ -46,17 +47,17 @@ Command law_command(LawArguments& arguments) {
   law.add("Evaluation",
           {{"--at", &arguments.at, "TARGETS", "Rows to print, at overclosures (1um,2um) or pressures (1MPa:100MPa:5log)"},
            {"--law-units", &arguments.law_units, "LENGTH,FORCE", "Units of a law that this command has not made (default m,N)"}});
-  law.add(
-      "Output",
-      {{"-o,--output", &arguments.output, "FILE", "File of the law, for rc_law_load, rc.Law.load and this command"},
-       {"--export", &arguments.exports, "FORMAT=FILE", "Tables for other programs, csv, calculix, abaqus, moose or table; a,b"},
-       {"--deck-units", &arguments.deck_units, "LENGTH,FORCE", "Units of the exported tables, mm,N (default m,N)"},
-       {"--conductivity", &arguments.conductivity, "K or K1,K2",
-        "Conductivities of the bodies in units of the deck, for a conductance in the tables"},
-       {"--rows", &arguments.rows, "N", "Rows of a table (default 200, which is the most for calculix)"},
-       {"--beyond", &arguments.beyond, "TIMES", "One more row at so many times the last overclosure (default 100; 1: none)"},
-       {"--json", &arguments.json, "FILE", "Write the facts, the nodes and the rows"},
-       {"--picture", &arguments.picture, "FILE", "Draw the law with its bounds (PNG, needs gnuplot)"}});
+  law.add("Output", {{"-o,--output", &arguments.output, "FILE", "File of the law, for rc_law_load, rc.Law.load and this command"},
+                     {"--export", &arguments.exports, "FORMAT=FILE",
+                      "Tables for other programs, separated by commas: csv, calculix, abaqus, moose or table"},
+                     {"--deck-units", &arguments.deck_units, "LENGTH,FORCE", "Units of the exported tables, mm,N (default m,N)"},
+                     {"--conductivity", &arguments.conductivity, "K or K1,K2",
+                      "Conductivities of the bodies in units of the deck, for a conductance in the tables"},
+                     {"--rows", &arguments.rows, "N", "Rows of a table (default 200, which is the most for calculix)"},
+                     {"--beyond", &arguments.beyond, "TIMES",
+                      "One more row at this multiple of the last overclosure (default 100; 1: none)"},
+                     {"--json", &arguments.json, "FILE", "Write the facts, the nodes and the rows"},
+                     {"--picture", &arguments.picture, "FILE", "Draw the law with its bounds (PNG, needs gnuplot)"}});
   add_quiet(law, arguments.contact);
   return law;
 }

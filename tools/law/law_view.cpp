@@ -22,7 +22,7 @@ std::string bounds_name(int32_t bounds) {
   return bounds == RC_LAW_SLOPES ? "slopes" : "monotone";
 }
 
-// What the bounds follow from, and how wide they are.
+// The width of the bounds, and why they hold.
 std::string proof_of(const rc_law_info& info) {
   const std::string width = "p within " + percent(info.width);
   if (info.bounds == RC_LAW_CONVEX) return width + ", proven: convex between nodes";

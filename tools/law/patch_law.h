@@ -30,7 +30,7 @@ struct PatchLaw {
   std::unique_ptr<rc_law, Destroy<rc_law_destroy>> handle;
   rc_law_info info = RC_LAW_INFO_INIT;  // in the law's units
   LawUnits units{};
-  std::string source{};      // of its name and preparation, for a line of text
+  std::string source{};      // the name of its file, and how the surface was prepared
   rc_status status = RC_OK;  // of making it
   std::string remark{};      // why the status is not RC_OK
 

@@ -27,7 +27,7 @@ class Curve {
     most_ = std::max(most_, y / unit_);
   }
 
-  // What stands before the curves of its panel, and the curves.
+  // Commands that precede the plot of its panel, and the plot.
   std::string data() const {
     std::string text = format("$%s << EOD\n", name_);
     // Bounds that are not known leave the panel.

@@ -249,7 +249,7 @@ void tables_hold_the_law() {
   check(content(path) == before && folder.files() == 1, "a refused export leaves the file as it was");
 }
 
-// What a program prints that has table.c and the numbers, and not the library.
+// Runs a program that has table.c and the numbers, and not the library; its output.
 std::istringstream said_alone(const Folder& folder, const std::string& table, const std::vector<double>& xs) {
   std::ostringstream command;
   command.precision(17);

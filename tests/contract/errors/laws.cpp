@@ -62,7 +62,7 @@ void write_file(const char* text) {
   std::fclose(file);
 }
 
-// What is loaded from a file with this text; null: there is no file.
+// Loads a file with this text; null: there is no file.
 auto loading(const char* text) {
   return [=]() -> Outcome {
     std::remove(path);

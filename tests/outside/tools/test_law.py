@@ -94,6 +94,8 @@ class Laws(CommandTest):
         self.assertIn("change of the mean gap from first touch", done.stdout)
         done = self.law(*common, "--boundary", "free", "--bulk", "5e6N/m", "--pressure", "10MPa..100MPa")
         self.assertIn("less load / (5 MN/m)", done.stdout)
+        done = self.law(*common, "--shape", "sphere:R=1mm", "--bulk", "none", "--pressure", "10MPa..100MPa")
+        self.assertIn("shape sphere:R=1mm", done.stdout)
         self.law(*common, "--boundary", "periodic", "--hardness", "5GPa", "--pressure", "10MPa..100MPa")
         said = json.loads((self.folder / "a.json").read_text())["law"]
         self.assertEqual((said["hardness"], said["bounds"]), (5e9, "slopes"))
