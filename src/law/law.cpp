@@ -49,8 +49,9 @@ class LawTable {
     numbers_[4] = begin;
     numbers_[5] = end - begin + 1;
     std::size_t piece = 0;
-    for (double bucket = begin; bucket <= end; ++bucket) {
-      while (piece + 1 < keys_.size() && (keys_[piece + 1] <= 0 || roughcontact_law_bucket(keys_[piece + 1]) < bucket)) ++piece;
+    for (auto bucket = static_cast<std::int64_t>(begin); bucket <= static_cast<std::int64_t>(end); ++bucket) {
+      const auto lies_before = [&](double x) { return x <= 0 || roughcontact_law_bucket(x) < static_cast<double>(bucket); };
+      while (piece + 1 < keys_.size() && lies_before(keys_[piece + 1])) ++piece;
       numbers_.push_back(static_cast<double>(piece));
     }
     numbers_[0] = static_cast<double>(numbers_.size());

@@ -17,6 +17,8 @@ std::string percent(double share) {
   return share > 0 && share < least ? "< 0.001 %" : format("%.2g %%", 100 * share);
 }
 
+std::string width_of(double share) { return std::isfinite(share) ? "within " + percent(share) : "without bounds"; }
+
 std::string bounds_name(int32_t bounds) {
   if (bounds == RC_LAW_CONVEX) return "convex";
   return bounds == RC_LAW_SLOPES ? "slopes" : "monotone";
@@ -40,9 +42,9 @@ std::string bulk_of(const PatchLaw& law) {
 void fact(const char* name, const std::string& value) { std::printf("  %-13s %s\n", name, value.c_str()); }
 
 std::string law_line(const std::string (&cells)[7]) {
-  constexpr std::size_t widths[] = {12, 12, 11, 14, 12, 12, 14};
+  constexpr std::size_t widths[] = {11, 11, 10, 13, 11, 11, 13};
   std::string line;
-  for (std::size_t k = 0; k < std::size(cells); ++k) line += right_aligned(cells[k], widths[k]);
+  for (std::size_t k = 0; k < std::size(cells); ++k) line += " " + right_aligned(cells[k], widths[k]);
   return line + "\n";
 }
 
@@ -63,8 +65,7 @@ void print_law(const PatchLaw& law, const std::vector<LawRow>& rows) {
                         ", overclosures " + with_prefix(info.x_lower * length, "m", 4) + " to " +
                         with_prefix(info.x_upper * length, "m", 4));
   fact("overclosure", bulk_of(law));
-  fact("bounds",
-       proof_of(info) + "; conductance within " + percent(info.width_conductance) + ", area within " + percent(info.width_area));
+  fact("bounds", proof_of(info) + "; conductance " + width_of(info.width_conductance) + ", area " + width_of(info.width_area));
   if (info.modulus > 0)
     fact("body", "E* " + with_prefix(info.modulus * pressure, "Pa", 4) +
                      (info.hardness > 0 ? ", hardness " + with_prefix(info.hardness * pressure, "Pa", 4) : ""));
