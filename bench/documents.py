@@ -9,6 +9,7 @@ import paper_tables
 import peers_report
 import performance
 import physics
+import published
 import ranks_tables
 import speed_accuracy_tables
 from options import folder, question
@@ -93,6 +94,7 @@ def measure_speed_accuracy(remake):
 DOCUMENTS = {'speed-accuracy': (measure_speed_accuracy, speed_accuracy_tables.sections, speed_accuracy_tables.pictures),
              'paper': (measure_paper, paper_tables.sections, paper_pictures.pictures),
              'physics': (one_question('physics'), physics.sections, physics.pictures),
+             'published': (one_question('published'), published.sections, published.pictures),
              'benchmarks': (one_question('products', quick=False), performance.product_sections, None),
              'failures': (lambda remake: remake.run('failures', *remake.given('surface', remake.request.surface)), failures_tables.sections, failures_tables.pictures),
              'performance': (measure_performance, performance.sections, performance.pictures),

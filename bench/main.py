@@ -10,7 +10,7 @@ from case import Failure
 from options import PARSER
 
 for name in ('scaling', 'products', 'small', 'speed_accuracy', 'goals', 'histories', 'failures', 'paper', 'physics',
-             'peers', 'mapped', 'ranks', 'documents'):
+             'published', 'peers', 'mapped', 'ranks', 'documents'):
     importlib.import_module(name)  # each adds its sub-commands
 
 if __name__ == '__main__':

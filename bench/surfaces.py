@@ -34,20 +34,20 @@ def phases(seed, kx, ky):
     return 2 * math.pi * np.ldexp((mixed(z + np.uint64(GOLDEN)) >> np.uint64(11)).astype(float), -53)
 
 
-def self_affine_gap(n, seed=1, hurst=0.8, roll_off=4, cut_off=0, rms_slope=0.1):
+def self_affine_gap(n, seed=1, hurst=0.8, roll_off=4, cut_off=0, rms_slope=0.1, longest=0):
     """About a mean plane at 0: random phases, power ~ |k|^-2(1+H) between roll_off and cut_off waves a side, flat below, none above;
-    cut_off 0: a shortest wave of 8 cells. Every wave's phase depends on the seed and its wave vector alone: a finer grid samples the
+    cut_off 0: a shortest wave of 8 cells. longest: waves a side below which there is no power. Every wave's phase depends on the seed and its wave vector alone: a finer grid samples the
     same surface where cut_off is the same, and adds shorter waves to it where it grows with n."""
     cut_off = cut_off or n / 8
-    longest = int(cut_off)
-    ky, kx = np.arange(-longest, longest + 1)[:, None], np.arange(longest + 1)[None, :]
+    most = int(cut_off)
+    ky, kx = np.arange(-most, most + 1)[:, None], np.arange(most + 1)[None, :]
     k = np.hypot(kx, ky)
-    amplitude = np.where((k <= cut_off) & ((kx > 0) | (ky > 0)), np.maximum(k, max(roll_off, 1e-300))**-(1 + hurst), 0)
+    amplitude = np.where((k <= cut_off) & (k >= longest) & ((kx > 0) | (ky > 0)), np.maximum(k, max(roll_off, 1e-300))**-(1 + hurst), 0)
     square_slope = 2 * np.sum((2 * math.pi * k * amplitude)**2)
     phase = phases(seed, kx, ky) + math.pi * (kx + ky) / n  # half a cell further: the centre of the first cell
-    spectrum = np.zeros((n, longest + 1), complex)
+    spectrum = np.zeros((n, most + 1), complex)
     spectrum[ky[:, 0] % n] = amplitude * np.exp(1j * phase)
-    positive = np.arange(1, longest + 1)
+    positive = np.arange(1, most + 1)
     spectrum[-positive, 0] = spectrum[positive, 0].conj()
     del k, amplitude, phase
     heights = np.fft.irfft(np.fft.ifft(spectrum, axis=0), n, axis=1)
