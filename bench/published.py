@@ -22,16 +22,17 @@ CRITICAL = 0.415  # Wang & Müser, arXiv 2010.13470
 BANDS = ((0.8, 2), (0.8, 8), (0.8, 32), (0.3, 8), (0.3, 32))  # exponent, and longest over shortest wave
 LONGEST = 4  # waves a side in these
 # Areas by Green's function molecular dynamics over E* times the rms slope, with their scatter: file Area_GFMD_Zhou.mat of
-# github.com/xylcsi/PerssonModelFudgeFactor. H = 0.8, longest over shortest wave 100, rms slope 0.27666 from the spectrum that Fig_2_program.m states.
+# github.com/xylcsi/PerssonModelFudgeFactor. H = 0.8, longest over shortest wave 100; the rms slope is that of the spectrum in Fig_2_program.m.
 GFMD_SLOPE, GFMD_BAND = 0.27666, 100
 GFMD = ((0.001, 0.008272, 0.000102), (0.005, 0.039935, 0.000293), (0.015, 0.114685, 0.000555), (0.04, 0.284595, 0.000697),
         (0.086, 0.540296, 0.000569), (0.147, 0.771872, 0.000317), (0.24, 0.940583, 0.000264))
-# Density of pressures of the challenge without adhesion, 250 kPa: Wang & Müser, Tribology Letters 65 (2017) 103, Figure 2, as digitised in
-# Wang_Muser_Fig2_data.txt of the same repository; its integral is the area. Its mean is 3 % above the load: so much is the error of reading the figure.
+# Density of pressures of the challenge without adhesion, 250 kPa: Wang & Müser, Tribology Letters 65(3) (2017), Figure 2, as digitised in
+# Wang_Muser_Fig2_data.txt of the same repository. The area is the integral over all its points, whose mean pressure is 3 % above the load.
 DENSITY = ((0.0127, 0.00492), (0.0605, 0.01335), (0.1172, 0.02054), (0.2256, 0.02708), (0.3135, 0.02854), (0.418, 0.02712), (0.5273, 0.024),
            (0.6719, 0.01832), (0.79, 0.01382), (0.9277, 0.00918), (1.0459, 0.00634), (1.1855, 0.00402))
 DENSITY_AREA = 0.0208
-FORMS = 'contact={title}; source={source}; known={quantity}; coarsest grid={coarse}²; error={coarse_error:err}; finest grid={fine}²; error={fine_error:err}; order={order:.1f}'
+FORMS = ('contact={title}; source={source}; known={quantity}; coarsest grid={coarse}²; error={coarse_error:err}; '
+         'finest grid={fine}²; error={fine_error:err}; order={order:.1f}')
 WAVES = 'share of the closing load={share:g}; ={quantity}; asymptote={theirs:.5f}; ours={ours:.5f}; difference [%]={difference:%+.2f}'
 SPHERES = ('roughness={roughness:.3f}; pressure in the middle, model={model_middle:.3f}; ours={middle:.3f} ± {middle_scatter:.3f}; '
            'distance of the load, model={model_distance:.3f}; ours={distance:.3f} ± {distance_scatter:.3f}')
@@ -41,8 +42,8 @@ BREADTH = ('H={hurst:g}; longest / shortest wave={band}; Nayak={nayak:.1f}; {col
            'u0 / rms height={decay:.3f}')
 ATLAS = ('p / (E* slope)={pressure:.4f}; published={theirs:.4f} ± {scatter:.4f}; cells counted={area:.4f}; corrected={corrected:.4f}; '
          'scatter={spread:.4f}; Persson={persson:.4f}; Wang & Müser={fudge:.4f}')
-CHALLENGE = ('p / (E* slope)={pressure:g}; p [kPa]={kilopascals:g}; surface={seed}; grid={n}²; A/A0 [%]={area:%.4f}; proven to be within={lower:%.4f} to {upper:%.4f}; '
-             'corrected [%]={corrected:%.4f}; mean gap / rms={mean_gap:.4f}')
+CHALLENGE = ('p / (E* slope)={pressure:g}; p [kPa]={kilopascals:g}; surface={seed}; grid={n}²; A/A0 [%]={area:%.4f}; '
+             'proven to be within={lower:%.4f} to {upper:%.4f}; corrected [%]={corrected:%.4f}; mean gap / rms={mean_gap:.4f}')
 MIRCO = 'input={file}; theirs={theirs:.6e}; ours={ours:.6e}; difference={difference:+.1e}; tolerance of theirs={tolerance:g}'
 SUMMARY = 'published result={name}; source={source}; theirs={theirs}; ours={ours}; part={part}; where they differ={why}'
 
@@ -96,21 +97,27 @@ def measure_breadth(request, store):
                 request.points, seed, hurst, LONGEST, LONGEST * band, options(request), LONGEST))
 
 
+def over_slope(pressure):
+    """Of GFMD, to the digits that results keep."""
+    return float(f'{pressure / GFMD_SLOPE:.6g}')
+
+
 def measure_atlas(request, store):
     longest = max(1, request.atlas_points // (5 * GFMD_BAND))
     for seed in range(1, request.seeds + 1):
-        press_all(store, 'gfmd', {'seed': seed}, [p / GFMD_SLOPE for p, *_ in GFMD], lambda: rough.Pressed(
+        press_all(store, 'gfmd', {'seed': seed}, [over_slope(p) for p, *_ in GFMD], lambda: rough.Pressed(
             request.atlas_points, seed, 0.8, longest, min(GFMD_BAND * longest, request.atlas_points // 3), options(request), longest))
 
 
 def measure_challenge(request, store):
     for n in request.challenge_points:
         for seed in range(1, (request.challenge_seeds if n <= 4096 else 1) + 1):
+            def make():
+                return rough.Pressed(n, seed, 0.8, 5, min(1000, int(0.49 * request.challenge_points[0])), options(request))
             pressures = rough.CHALLENGE_PRESSURES if n <= 4096 else rough.CHALLENGE_PRESSURES[2:3]
-            pressed = press_all(store, 'challenge', {'n': n, 'seed': seed}, pressures, lambda: rough.Pressed(
-                n, seed, 0.8, 5, min(1000, int(0.49 * request.challenge_points[0])), options(request)))
-            if pressed and seed == 1:
-                measure(store, 'distributions', {'n': n}, lambda: pressed.distributions(0.01))
+            pressed = press_all(store, 'challenge', {'n': n, 'seed': seed}, pressures, make)
+            if seed == 1:
+                measure(store, 'distributions', {'n': n}, lambda: (pressed or make()).distributions(0.01))
 
 
 def measure_mirco(request, store):
@@ -148,8 +155,8 @@ def form_rows(document):
         rows = [row for row in document.get('forms', []) if row['title'] == form.title]
         if rows:
             errors = [(row['n'], abs(row['error_of'])) for row in rows]
-            yield {'title': form.title, 'source': form.source, 'quantity': form.quantity, 'coarse': rows[0]['n'], 'coarse_error': errors[0][1],
-                   'fine': rows[-1]['n'], 'fine_error': errors[-1][1], 'order': -slope(errors) if len(errors) > 1 else None}
+            yield {'title': form.title, 'source': form.source, 'quantity': form.quantity, 'coarse': errors[0][0], 'coarse_error': errors[0][1],
+                   'fine': errors[-1][0], 'fine_error': errors[-1][1], 'order': -slope(errors) if len(errors) > 1 else None}
 
 
 def crossing_rows(document):
@@ -173,8 +180,8 @@ def kappa_of(rows):
 def breadth_rows(document):
     for (hurst, band), rows in groups(document.get('breadth', []), 'hurst', 'band').items():
         fits = [kappa_of(each) for each in groups(rows, 'seed').values()]
-        row = {'hurst': hurst, 'band': band, 'nayak': rough.nayak(hurst, LONGEST, LONGEST * band, LONGEST), 'kappa': fmean(k for k, _ in fits),
-               'scatter': spread([k for k, _ in fits]), 'misfit': max(misfit for _, misfit in fits)}
+        row = {'hurst': hurst, 'band': band, 'nayak': rough.nayak(hurst, LONGEST, LONGEST * band, LONGEST),
+               'kappa': fmean(k for k, _ in fits), 'scatter': spread([k for k, _ in fits]), 'misfit': max(misfit for _, misfit in fits)}
         for pressure, found in groups(rows, 'pressure').items():
             row[f'at_{pressure[0]:g}'.replace('.', '_')] = fmean(each['corrected'] / each['pressure'] for each in found)
         light = [each for each in rows if 0.01 < each['pressure'] < 0.3]
@@ -195,9 +202,8 @@ def logarithm(rows, key='at_0_02'):
 def atlas_rows(document):
     by_pressure = groups(document.get('gfmd', []), 'pressure')
     for p, theirs, scatter in GFMD:
-        found = next((rows for (pressure,), rows in by_pressure.items() if abs(pressure * GFMD_SLOPE / p - 1) < 1e-5), None)
-        if found:
-            x = found[0]['pressure']
+        x = over_slope(p)
+        if found := by_pressure.get((x,)):
             yield {'pressure': x, 'theirs': theirs, 'scatter': scatter, 'area': fmean(row['area'] for row in found),
                    'corrected': fmean(row['corrected'] for row in found), 'spread': spread([row['corrected'] for row in found]),
                    'persson': rough.persson(x), 'fudge': rough.persson(x, rough.wang_mueser)}
@@ -218,43 +224,48 @@ def extrapolated(document, pressure=0.01):
 
 
 def tables(document):
-    found = {'forms': (FORMS, list(form_rows(document))), 'waves': (WAVES, document.get('waves', [])), 'spheres': (SPHERES, document.get('spheres', [])),
-             'crossing': (CROSSING, list(crossing_rows(document))), 'breadth': (BREADTH.replace('{columns}', BREADTH_COLUMNS), list(breadth_rows(document))),
-             'gfmd': (ATLAS, list(atlas_rows(document))), 'challenge': (CHALLENGE, challenge_rows(document)), 'mirco': (MIRCO, document.get('mirco', []))}
+    found = {'forms': (FORMS, list(form_rows(document))), 'waves': (WAVES, document.get('waves', [])),
+             'spheres': (SPHERES, document.get('spheres', [])), 'crossing': (CROSSING, list(crossing_rows(document))),
+             'breadth': (BREADTH.replace('{columns}', BREADTH_COLUMNS), list(breadth_rows(document))), 'gfmd': (ATLAS, list(atlas_rows(document))),
+             'challenge': (CHALLENGE, challenge_rows(document)), 'mirco': (MIRCO, document.get('mirco', []))}
     return {name: (columns, rows) for name, (columns, rows) in found.items() if rows}
 
 
 def summary(document):
     """One row a published result that is measured."""
-    rows = {name: rows for name, (_, rows) in tables(document).items()}
+    rows, found = {name: rows for name, (_, rows) in tables(document).items()}, []
+
+    def add(part, name, source, theirs, ours, why=''):
+        found.append({'name': name, 'source': source, 'theirs': theirs, 'ours': ours, 'part': part, 'why': why})
     for row in rows.get('crossing', ()):
-        yield {'name': f'area in contact at which the gap stops crossing, H = {row["hurst"]:g}', 'source': 'Wang & Müser 2020, arXiv 2010.13470',
-               'theirs': f'near {CRITICAL}', 'ours': f'{row["mean"]:.3f} ± {row["deviation"]:.3f}', 'part': 'crossing',
-               'why': f'by {row["mean"] - CRITICAL:+.3f}: scatter of finite surfaces is {row["scatter"]:.3f}'}
-    if 'breadth' in rows and len(rows['breadth']) > 2:
+        add('crossing', f'area in contact at which the gap stops crossing, H = {row["hurst"]:g}',
+            'Wang & Müser 2020, arXiv 2010.13470', f'near {CRITICAL}', f'{row["mean"]:.3f} ± {row["deviation"]:.3f}', f'by {row["mean"] - CRITICAL:+.3f}; scatter of finite surfaces: {row["scatter"]:.3f}')
+    if len(rows.get('breadth', ())) > 2:
         a, b, off = logarithm(rows['breadth'])
-        yield {'name': 'area at a given pressure falls with the logarithm of the Nayak parameter α', 'source': 'Yastrebov, Anciaux & Molinari 2017, arXiv 1704.05650',
-               'theirs': 'a - b ln α, b > 0', 'ours': f'{a:.3f} - {b:.3f} ln α, misfit {off:.3f}', 'part': 'breadth', 'why': 'their coefficients: see below'}
-        kappas = [row['kappa'] for row in rows['breadth']]
-        yield {'name': 'a = erf(√π/2 κ p/(E* slope)) up to full contact, nearly the same for all H', 'source': 'Prodanov, Dapp & Müser 2014, arXiv 1311.7547',
-               'theirs': 'form', 'ours': f'κ {min(kappas):.2f} to {max(kappas):.2f}; misfit {100 * max(row["misfit"] for row in rows["breadth"]):.0f} %', 'part': 'breadth',
-               'why': 'their κ and gap law: see below'}
+        add('breadth', 'area at a given pressure falls with the logarithm of the Nayak parameter α',
+            'Yastrebov, Anciaux & Molinari 2017, arXiv 1704.05650', 'a - b ln α, b > 0', f'{a:.3f} - {b:.3f} ln α, misfit {off:.3f}',
+            'theirs: coefficients not read')
+        kappas, off = [row['kappa'] for row in rows['breadth']], max(row['misfit'] for row in rows['breadth'])
+        add('breadth', 'a = erf(√π/2 κ p/(E* slope)), nearly the same for all H', 'Prodanov, Dapp & Müser 2014, arXiv 1311.7547', 'form',
+            f'κ {min(kappas):.2f} to {max(kappas):.2f}; misfit {100 * off:.0f} %', 'theirs: κ and gap law not read')
     if 'gfmd' in rows:
-        worst = max(rows['gfmd'], key=lambda row: abs(row['corrected'] / row['theirs'] - 1))
-        yield {'name': 'areas of surfaces with waves over two decades', 'source': 'Zhou, in PerssonModelFudgeFactor', 'theirs': '7 areas, scatter below 0.001',
-               'ours': f'within {100 * abs(worst["corrected"] / worst["theirs"] - 1):.1f} %', 'part': 'gfmd', 'why': 'size of their system and cells: not stated; cells counted are nearer'}
+        for name in ('area', 'corrected'):
+            off = max(abs(row[name] / row['theirs'] - 1) for row in rows['gfmd'])
+            add('gfmd', f'areas of surfaces with waves over two decades, {"cells counted" if name == "area" else "corrected"}',
+                'Zhou, in PerssonModelFudgeFactor', '7 areas, scatter below 0.001', f'within {100 * off:.1f} %',
+                'theirs: grid and correction not stated')
     if 'challenge' in rows:
-        row = [each for each in rows['challenge'] if each['pressure'] == 0.01][-1]
-        limit = extrapolated(document)
-        yield {'name': 'challenge surface without adhesion, 250 kPa: area', 'source': 'Wang & Müser 2017, Figure 2, digitised', 'theirs': f'{DENSITY_AREA}',
-               'ours': f'{row["corrected"]:.4f}' + (f', for cells of no size {limit:.4f}' if limit else ''), 'part': 'challenge', 'why': 'another surface of the same spectrum'}
+        row, limit = [each for each in rows['challenge'] if each['pressure'] == 0.01][-1], extrapolated(document)
+        add('challenge', 'challenge surface without adhesion, 250 kPa: area', 'Wang & Müser 2017, Figure 2, digitised', f'{DENSITY_AREA} ± 3 %',
+            f'{row["corrected"]:.4f}' + (f'; for cells of no size {limit:.4f}' if limit else ''), 'another surface of the same spectrum')
     if 'mirco' in rows:
-        worst = max(rows['mirco'], key=lambda row: abs(row['difference']))
-        yield {'name': 'mean pressures of six regression inputs', 'source': 'MIRCO', 'theirs': 'tolerance 0.01', 'ours': f'within {100 * abs(worst["difference"]):.2f} %',
-               'part': 'mirco', 'why': 'theirs stop at their tolerance'}
+        off = max(abs(row['difference']) for row in rows['mirco'])
+        add('mirco', 'mean pressures of six regression inputs', 'MIRCO', 'tolerance 0.01', f'within {100 * off:.2f} %',
+            'theirs stop at their tolerance')
     for row in rows.get('forms', ()):
-        yield {'name': row['title'], 'source': row['source'], 'theirs': f'closed form of the {row["quantity"]}', 'ours': f'error {row["fine_error"]:.0e} on {row["fine"]}²',
-               'part': 'forms', 'why': f'cells: order {row["order"]:.1f}' if row['order'] else ''}
+        add('forms', row['title'], row['source'], f'closed form of the {row["quantity"]}', f'error {row["fine_error"]:.0e} on {row["fine"]}²',
+            f'cells: order {row["order"]:.1f}' if row['order'] else '')
+    return found
 
 
 def hollow(number):
@@ -267,13 +278,14 @@ LINEAR = 'unset logscale\nset format "%g"\nset xtics autofreq\nset ytics autofre
 
 
 def forms_picture(document, file):
-    drawing, curves, entries = Panels(800, 460, 1, 1, 130), [], []
+    drawing, curves, entries = Panels(800, 500, 1, 1, 180), [], []
     for number, form in enumerate(forms.FORMS):
         points = [(row['n'], abs(row['error_of'])) for row in document['forms'] if row['title'] == form.title]
         curves.append(drawing.curve(points, style(number)))
         entries.append((form.title, style(number)))
     curves += [f'{factor}/x**{order} with lines {PROPORTIONAL}' for factor, order in ((0.3, 1), (2, 2))]
-    drawing.panel(0, 0, 'relative error', axes('points a side', 'error', (48, 1400), ('*', '*'), PLAIN + 'set format y "10^{{%T}}"'.replace('{{', '{').replace('}}', '}')), curves)
+    settings = axes('points a side', 'error', (48, 1400), ('*', '*'), PLAIN + 'set format y "10^{%T}"')
+    drawing.panel(0, 0, 'relative error', settings, curves)
     drawing.draw(file, [*entries, ('first and second order', f'lines {PROPORTIONAL}')], 2)
 
 
@@ -283,28 +295,33 @@ def crossing_picture(document, file):
         values = sorted(row[axis] for row in rows for axis in 'xy')
         curves.append(drawing.curve([(value, (k + 0.5) / len(values)) for k, value in enumerate(values)], style(number)))
         entries.append((f'H = {hurst:g}', style(number)))
-    drawing.panel(0, 0, 'area at which the gap stops crossing', axes('contact area / nominal area', 'share of surfaces and directions', (0.25, 0.6), (0, 1),
-                                                                     LINEAR + 'set parametric\nset trange [0:1]'), curves)
-    drawing.draw(file, [*entries, ('Wang & Müser 2020', GREY)], 3)
+    drawing.panel(0, 0, 'area at which the gap stops crossing', axes('contact area / nominal area', 'share of surfaces and directions', (0.25, 0.6),
+                                                                     (0, 1), LINEAR + 'set parametric\nset trange [0:1]'), curves)
+    drawing.draw(file, [*entries, ('Wang, Müser 2020', GREY)], 3)
 
 
 def area_picture(document, file):
     drawing, rows = Panels(800, 460, 2, 1, 110), list(atlas_rows(document))
     at = np.geomspace(0.003, 1.2, 60).tolist()
-    corrected, line, theory = 'corrected', 'lines lw 1.6 ' + STYLES[4].rsplit(' pt', 1)[0], GREY
-    curves = [drawing.curve([(p, rough.persson(p, weight) / p) for p in at], look) for weight, look in ((lambda area: 1, theory), (rough.wang_mueser, DASHED))]
-    curves.append(drawing.curve([(row['pressure'], row['theirs'] / row['pressure'], row['scatter'] / row['pressure']) for row in rows], hollow(1)))
-    curves.append(drawing.curve([(row['pressure'], row[corrected] / row['pressure']) for row in rows], style(2)))
-    drawing.panel(0, 0, 'area per pressure', axes('mean pressure / (E* rms slope)', 'A E* slope / F', (0.003, 1.2), (0.6, 2.6), LINEAR + 'set logscale x', 1), curves)
+    line = 'lines lw 1.6 ' + STYLES[4].rsplit(' pt', 1)[0]
+    weights = (lambda area: 1, GREY), (rough.wang_mueser, DASHED)
+    curves = [drawing.curve([(p, rough.persson(p, weight) / p) for p in at], look) for weight, look in weights]
+    for key, look in (('theirs', hollow(1)), ('area', hollow(2)), ('corrected', style(2))):
+        curves.append(drawing.curve([(row['pressure'], row[key] / row['pressure']) for row in rows], look))
+    ratio = 'A E* slope / F'
+    settings = axes('mean pressure / (E* rms slope)', ratio, (0.003, 1.2), (0.6, 2.6), LINEAR + 'set logscale x', 1)
+    drawing.panel(0, 0, 'area per pressure', settings, curves)
     breadth = list(breadth_rows(document))
-    curves, entries = [], [('Persson', theory), ('Wang & Müser 2017', DASHED), ('published areas', hollow(1)), ('ours, corrected', style(2))]
+    curves, entries = [], [('Persson', GREY), ('Wang, Müser 2017', DASHED), ('published areas', hollow(1)), ('ours, cells counted', hollow(2)),
+                           ('ours, corrected', style(2))]
     if len(breadth) > 2:
         a, b, _ = logarithm(breadth)
         curves, entries = [f'{a!r}-{b!r}*log(x) with {line}'], [*entries, ('a - b ln α', line)]
     for number, ((hurst,), found) in enumerate(groups(breadth, 'hurst').items()):
         curves.append(drawing.curve([(row['nayak'], row['at_0_02']) for row in found], hollow(3 + 2 * number)))
         entries.append((f'ours, H = {hurst:g}', hollow(3 + 2 * number)))
-    drawing.panel(1, 0, 'at p = 0.02 E* slope', axes('Nayak parameter α', 'A E* slope / F', (1, 100), (1.5, 2.6), LINEAR + 'set logscale x', 1), curves)
+    settings = axes('Nayak parameter α', ratio, (1, 100), (1.5, 2.6), LINEAR + 'set logscale x', 1)
+    drawing.panel(1, 0, 'at p = 0.02 E* slope', settings, curves)
     drawing.draw(file, entries, 3)
 
 
@@ -315,7 +332,7 @@ def challenge_picture(document, file):
         drawing.curve([((k + 0.5) * width, value) for k, value in enumerate(found['pressures'])], style(2)), drawing.curve(DENSITY, hollow(1))])
     drawing.panel(1, 0, 'open gaps', axes('gap / rms height', 'density', (0, rough.WIDEST), (0, '*'), LINEAR, 1), [
         drawing.curve([((k + 0.5) * wide, value) for k, value in enumerate(found['gaps'])], style(2))])
-    drawing.draw(file, [('ours', style(2)), ('Wang & Müser 2017, Figure 2', hollow(1))], 2)
+    drawing.draw(file, [('ours', style(2)), ('Wang, Müser 2017, Figure 2', hollow(1))], 2)
 
 
 def sections(results):
@@ -323,7 +340,7 @@ def sections(results):
     found = tables(document)
     names = 'forms', 'waves', 'spheres', 'crossing', 'breadth', 'gfmd', 'challenge', 'mirco'
     made = {name: records(*found[name]) if name in found else missing(f'roughcontact-bench published {name}') for name in names}
-    return {'summary': records(SUMMARY, list(summary(document))), **made, 'provenance': provenance(document)}
+    return {'summary': records(SUMMARY, summary(document)), **made, 'provenance': provenance(document)}
 
 
 PICTURES = {'forms': ('forms', forms_picture), 'crossing': ('crossing', crossing_picture), 'area': ('gfmd', area_picture),
@@ -338,9 +355,12 @@ def pictures(results, images):
 
 
 question('published', 'published numbers beside those of the library', run, {
-    'form_points': (listed(side), [64, 128, 256, 512, 1024], 'points per side, closed forms'), 'points': (side, 1024, 'points per side, rough surfaces'),
-    'atlas_points': (side, 2048, 'points per side, areas of surfaces with waves over two decades'), 'seeds': (ranged(int, 1, 100), 3, 'surfaces of a kind'),
-    'crossing_seeds': (ranged(int, 1, 1000), 20, 'surfaces whose gap closes'), 'challenge_points': (listed(side), [2048, 4096, 8192], 'points per side, challenge'),
+    'form_points': (listed(side), [64, 128, 256, 512, 1024], 'points per side, closed forms'),
+    'points': (side, 1024, 'points per side, rough surfaces'),
+    'atlas_points': (side, 2048, 'points per side, areas of surfaces with waves over two decades'),
+    'seeds': (ranged(int, 1, 100), 3, 'surfaces of a kind'), 'crossing_seeds': (ranged(int, 1, 1000), 20, 'surfaces whose gap closes'),
+    'challenge_points': (listed(side), [2048, 4096, 8192], 'points per side, challenge'),
     'challenge_seeds': (ranged(int, 1, 100), 2, 'surfaces of the challenge'), 'tol': (float, 1e-6, 'certified tolerance'), **ALL_THREADS},
-    {'form_points': [64, 128], 'points': 128, 'atlas_points': 512, 'seeds': 2, 'crossing_seeds': 3, 'challenge_points': [256, 512], 'challenge_seeds': 1},
+    {'form_points': [64, 128], 'points': 128, 'atlas_points': 512, 'seeds': 2, 'crossing_seeds': 3, 'challenge_points': [256, 512],
+     'challenge_seeds': 1},
     'small grids and few surfaces, under a minute', names=tuple(PARTS))

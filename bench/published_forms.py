@@ -73,9 +73,9 @@ ROUGH_SLOPES, ROUGH_HERTZ, BAND = (0.5, 1.0, 2.0), Hertz(0.2), (16, 64)
 
 
 class Summits:
-    """Greenwood & Tripp (Journal of Applied Mechanics 34 (1967) 153): spherical summits of one radius, Gaussian in height, each of which Hertz's formula
-    presses without its neighbours, on a sphere that their mean pressure deforms. Density, radius and scatter of the summits: Nayak's, from the
-    moments of the spectrum (McCool 1986)."""
+    """Greenwood & Tripp (Journal of Applied Mechanics 34 (1967) 153): spherical summits of one radius, Gaussian in height, each pressed by Hertz's
+    formula without its neighbours, on a sphere that their mean pressure deforms. Density, radius and scatter of the summits: Nayak's, from
+    the moments of the spectrum (McCool 1986)."""
 
     def __init__(self, gap):
         spectrum = np.abs(np.fft.fft2(gap - gap.mean()) / gap.size)**2

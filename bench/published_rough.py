@@ -29,7 +29,7 @@ def persson(pressure, weight=lambda area: 1, steps=400):
 
 
 def wang_mueser(area):
-    """Wang & Müser, Tribology Letters 65 (2017) 103."""
+    """Wang & Müser, Tribology Letters 65(3) (2017)."""
     return 5 / 9 - 2 / 9 * area**2 + 2 / 3 * area**4
 
 

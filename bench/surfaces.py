@@ -35,9 +35,9 @@ def phases(seed, kx, ky):
 
 
 def self_affine_gap(n, seed=1, hurst=0.8, roll_off=4, cut_off=0, rms_slope=0.1, longest=0):
-    """About a mean plane at 0: random phases, power ~ |k|^-2(1+H) between roll_off and cut_off waves a side, flat below, none above;
-    cut_off 0: a shortest wave of 8 cells. longest: waves a side below which there is no power. Every wave's phase depends on the seed and its wave vector alone: a finer grid samples the
-    same surface where cut_off is the same, and adds shorter waves to it where it grows with n."""
+    """About a mean plane at 0: random phases, power ~ |k|^-2(1+H) between roll_off and cut_off waves a side, flat below down to `longest`, none
+    below that and above cut_off; cut_off 0: a shortest wave of 8 cells. Every wave's phase depends on the seed and its wave vector alone: a
+    finer grid samples the same surface where cut_off is the same, and adds shorter waves to it where it grows with n."""
     cut_off = cut_off or n / 8
     most = int(cut_off)
     ky, kx = np.arange(-most, most + 1)[:, None], np.arange(most + 1)[None, :]

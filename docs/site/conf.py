@@ -97,6 +97,7 @@ docs/decisions
 docs/paper
 docs/failures
 docs/physics
+docs/published
 docs/performance
 docs/scale-out
 docs/benchmarks

@@ -1,5 +1,6 @@
 """`documents PAGE --quick` on nothing measured before: answers that are certified and agree with what is known, a page that is filled, pictures
-that are drawn; a second call measures nothing anew. The second argument names the page: performance, paper, pareto (speed-accuracy), physics."""
+that are drawn; a second call measures nothing anew. The second argument names the page: performance, paper, pareto (speed-accuracy), physics,
+published."""
 import math
 import os
 import sys
@@ -194,6 +195,27 @@ def physics(folder):
     assert filled['curve'].count('\n') == 2 + 11 and filled['meshes'].count('\n') == 2 + 6, filled
     assert f'{first["fits"]["corrected_kappa"]["mean"]:.2f} (' in filled['fits'], filled['fits']
     check_pictures(folder, *(f'physics-{name}' for name in ('area', 'gap', 'patches', 'mesh', 'hardness')))
+
+
+def published(folder):
+    _, filled = remade('published', '--threads', '1')
+    document = load(folder, 'published')
+    assert all(row['status'] == 'RC_OK' and row['lower'] <= row['area'] <= row['upper'] for table in ('breadth', 'gfmd', 'challenge')
+               for row in document[table]), document
+    for row in document['forms']:
+        assert abs(row['error_of']) < (0.01 if 'punch' in row['title'] else 3e-3), row
+    for row in document['spheres']:
+        assert row['model_middle'] < row['middle'] < 1 < row['distance'] < row['model_distance'], row
+    assert all(0.1 < row[axis] < 0.8 for row in document['crossing'] for axis in 'xy'), document['crossing']
+    for table in ('breadth', 'gfmd', 'challenge'):  # areas grow with the load
+        rows = document[table]
+        assert all(b['area'] > a['area'] for a, b in zip(rows, rows[1:]) if a['pressure'] < b['pressure']), rows
+    assert not document.get('mirco') or max(abs(row['difference']) for row in document['mirco']) < 0.015, document['mirco']
+    assert run('documents', 'published', '--quick', '--threads', '1').count('measured before') == sum(
+        len(document[table]) for table in ('forms', 'waves', 'spheres', 'crossing', 'breadth', 'gfmd', 'challenge', 'distributions', 'mirco') if table in document)
+    assert 'not reproduced' in open(os.path.join(folder, 'published.md'), encoding='utf-8').read()
+    assert set(filled) >= {'summary', 'forms', 'crossing', 'gfmd', 'challenge', 'provenance'}, filled.keys()
+    check_pictures(folder, *(f'published-{name}' for name in ('forms', 'crossing', 'area', 'challenge')))
 
 
 page = {'pareto': 'speed-accuracy'}.get(sys.argv[2], sys.argv[2])
