@@ -239,7 +239,8 @@ def summary(document):
         found.append({'name': name, 'source': source, 'theirs': theirs, 'ours': ours, 'part': part, 'why': why})
     for row in rows.get('crossing', ()):
         add('crossing', f'area in contact at which the gap stops crossing, H = {row["hurst"]:g}',
-            'Wang & Müser 2020, arXiv 2010.13470', f'near {CRITICAL}', f'{row["mean"]:.3f} ± {row["deviation"]:.3f}', f'by {row["mean"] - CRITICAL:+.3f}; scatter of finite surfaces: {row["scatter"]:.3f}')
+            'Wang & Müser 2020, arXiv 2010.13470', f'near {CRITICAL}', f'{row["mean"]:.3f} ± {row["deviation"]:.3f}',
+            f'by {row["mean"] - CRITICAL:+.3f}; scatter of finite surfaces: {row["scatter"]:.3f}')
     if len(rows.get('breadth', ())) > 2:
         a, b, off = logarithm(rows['breadth'])
         add('breadth', 'area at a given pressure falls with the logarithm of the Nayak parameter α',

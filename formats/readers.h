@@ -20,6 +20,9 @@ inline constexpr double missing_height = std::numeric_limits<double>::quiet_NaN(
 
 Surface read_container(std::string_view file, double unit);
 Surface read_gsf(std::string_view file, double unit);
+#ifdef RC_READ_HDF5
+Surface read_hdf5(std::string_view file, double unit);
+#endif
 Surface read_netcdf(std::string_view file, double unit);
 Surface read_npy(std::string_view file, double unit);
 Surface read_plu(std::string_view file, double unit);

@@ -21,6 +21,9 @@ template <const char*... Magic> bool begins_with(std::string_view file) { return
 constexpr char sur_plain[] = "DIGITAL SURF", sur_compressed[] = "DSCOMPRESSED";
 constexpr char iso_text[] = "aISO-1.0", bcr_text[] = "aBCR-1.0", npl_text[] = "aNPL-V1.0";
 constexpr char iso_binary[] = "bISO-1.0", bcr_binary[] = "bBCR-1.0";
+#ifdef RC_READ_HDF5
+constexpr char hdf5_magic[] = "\x89HDF";
+#endif
 constexpr char netcdf_classic[] = "CDF\1", netcdf_offsets[] = "CDF\2", netcdf_sizes[] = "CDF\5";
 
 bool is_gsf(std::string_view file) { return file.starts_with(gsf_magic); }
@@ -39,6 +42,9 @@ constexpr Format formats[] = {
     {"nc", "NetCDF of contact.engineering", ".nc", begins_with<netcdf_classic, netcdf_offsets, netcdf_sizes>,
      "pitch and mostly unit", read_netcdf},
     {"container", "zip archive of contact.engineering", ".zip", zip_has_netcdf, "pitch and mostly unit", read_container},
+#ifdef RC_READ_HDF5
+    {"hdf5", "HDF5 with a data set surface", ".h5 .hdf5", begins_with<hdf5_magic>, "nothing", read_hdf5},
+#endif
 };
 
 struct Foreign {
