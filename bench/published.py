@@ -1,4 +1,5 @@
 """Numbers that others published beside those of the library: the rows, tables and pictures of docs/published.md."""
+import itertools
 import math
 import os
 import re
@@ -36,10 +37,10 @@ FORMS = ('contact={title}; source={source}; known={quantity}; coarsest grid={coa
 WAVES = 'share of the closing load={share:g}; ={quantity}; asymptote={theirs:.5f}; ours={ours:.5f}; difference [%]={difference:%+.2f}'
 SPHERES = ('roughness={roughness:.3f}; pressure in the middle, model={model_middle:.3f}; ours={middle:.3f} ± {middle_scatter:.3f}; '
            'distance of the load, model={model_distance:.3f}; ours={distance:.3f} ± {distance_scatter:.3f}')
-CROSSING = ('H={hurst:g}; surfaces={surfaces}; area where the gap closes={mean:.3f} ± {deviation:.3f}; scatter={scatter:.3f}; '
+CROSSING = ('H={hurst:g}; grid={n}²; surfaces={surfaces}; area where the gap closes={mean:.3f} ± {deviation:.3f}; scatter={scatter:.3f}; '
             'cells counted={raw:.3f}; p / (E* slope)={pressure:.3f}')
 BREADTH = ('H={hurst:g}; longest / shortest wave={band}; Nayak={nayak:.1f}; {columns}; κ={kappa:.3f} ± {scatter:.3f}; misfit [%]={misfit:%.1f}; '
-           'u0 / rms height={decay:.3f}')
+           'mean gap / rms at 0.1={gap:.3f}; u0 / rms height={decay:.3f}')
 ATLAS = ('p / (E* slope)={pressure:.4f}; published={theirs:.4f} ± {scatter:.4f}; cells counted={area:.4f}; corrected={corrected:.4f}; '
          'scatter={spread:.4f}; Persson={persson:.4f}; Wang & Müser={fudge:.4f}')
 CHALLENGE = ('p / (E* slope)={pressure:g}; p [kPa]={kilopascals:g}; surface={seed}; grid={n}²; A/A0 [%]={area:%.4f}; '
@@ -72,12 +73,13 @@ def measure_forms(request, store):
 
 
 def measure_crossing(request, store):
-    for seed in range(1, request.crossing_seeds + 1):
-        for hurst in rough.HURSTS:
+    # The first surfaces on a finer grid as well: what cells that touch in part add.
+    for n, surfaces in ((request.points, request.crossing_seeds), (2 * request.points, request.crossing_seeds // 4)):
+        for seed, hurst in itertools.product(range(1, surfaces + 1), rough.HURSTS):
             def work():
-                pressed = rough.Pressed(request.points, seed, hurst, request.points // 128, request.points // 16, options(request))
+                pressed = rough.Pressed(n, seed, hurst, request.points // 128, request.points // 16, options(request))
                 return rough.last_crossing(pressed, 0.004)
-            measure(store, 'crossing', {'hurst': hurst, 'seed': seed, 'n': request.points}, work)
+            measure(store, 'crossing', {'hurst': hurst, 'seed': seed, 'n': n}, work)
 
 
 def press_all(store, table, key, pressures, make):
@@ -160,9 +162,9 @@ def form_rows(document):
 
 
 def crossing_rows(document):
-    for (hurst,), rows in groups(document.get('crossing', []), 'hurst').items():
+    for (hurst, n), rows in groups(document.get('crossing', []), 'hurst', 'n').items():
         values = [row[axis] for row in rows for axis in 'xy']
-        yield {'hurst': hurst, 'surfaces': len(rows), 'mean': fmean(values), 'scatter': spread(values),
+        yield {'hurst': hurst, 'n': n, 'surfaces': len(rows), 'mean': fmean(values), 'scatter': spread(values),
                # both axes of a surface count as one sample
                'deviation': spread([(row['x'] + row['y']) / 2 for row in rows]) / math.sqrt(len(rows)),
                'raw': fmean(row[axis + '_raw'] for row in rows for axis in 'xy'),
@@ -184,6 +186,7 @@ def breadth_rows(document):
                'kappa': fmean(k for k, _ in fits), 'scatter': spread([k for k, _ in fits]), 'misfit': max(misfit for _, misfit in fits)}
         for pressure, found in groups(rows, 'pressure').items():
             row[f'at_{pressure[0]:g}'.replace('.', '_')] = fmean(each['corrected'] / each['pressure'] for each in found)
+        row['gap'] = fmean(each['mean_gap'] for each in rows if each['pressure'] == 0.1)
         light = [each for each in rows if 0.01 < each['pressure'] < 0.3]
         row['decay'] = -1 / linear_regression([each['mean_gap'] for each in light], [math.log(each['pressure']) for each in light]).slope
         yield row
@@ -237,18 +240,22 @@ def summary(document):
 
     def add(part, name, source, theirs, ours, why=''):
         found.append({'name': name, 'source': source, 'theirs': theirs, 'ours': ours, 'part': part, 'why': why})
-    for row in rows.get('crossing', ()):
+    for row in rows.get('crossing', ())[:len(rough.HURSTS)]:
         add('crossing', f'area in contact at which the gap stops crossing, H = {row["hurst"]:g}',
-            'Wang & Müser 2020, arXiv 2010.13470', f'near {CRITICAL}', f'{row["mean"]:.3f} ± {row["deviation"]:.3f}',
-            f'by {row["mean"] - CRITICAL:+.3f}; scatter of finite surfaces: {row["scatter"]:.3f}')
+            'Wang & Müser 2020, arXiv 2010.13470', f'near {CRITICAL}',
+            f'{row["mean"]:.3f} ± {row["deviation"]:.3f}; cells counted: {row["raw"]:.3f}',
+            f'by {row["mean"] - CRITICAL:+.3f}, by {row["raw"] - CRITICAL:+.3f} if cells are counted; theirs does not say which')
     if len(rows.get('breadth', ())) > 2:
         a, b, off = logarithm(rows['breadth'])
         add('breadth', 'area at a given pressure falls with the logarithm of the Nayak parameter α',
             'Yastrebov, Anciaux & Molinari 2017, arXiv 1704.05650', 'a - b ln α, b > 0', f'{a:.3f} - {b:.3f} ln α, misfit {off:.3f}',
-            'theirs: coefficients not read')
+            'their coefficients could not be read')
         kappas, off = [row['kappa'] for row in rows['breadth']], max(row['misfit'] for row in rows['breadth'])
+        pairs = [[row['kappa'] for row in each] for each in groups(rows['breadth'], 'band').values() if len(each) > 1]
+        apart = max(abs(first / second - 1) for first, second in pairs)
         add('breadth', 'a = erf(√π/2 κ p/(E* slope)), nearly the same for all H', 'Prodanov, Dapp & Müser 2014, arXiv 1311.7547', 'form',
-            f'κ {min(kappas):.2f} to {max(kappas):.2f}; misfit {100 * off:.0f} %', 'theirs: κ and gap law not read')
+            f'κ {min(kappas):.2f} to {max(kappas):.2f}, between two H by {100 * apart:.0f} % at most; misfit up to {100 * off:.0f} %',
+            'by the misfit, largest at the lightest load of the narrowest spectrum; their κ and gap law could not be read')
     if 'gfmd' in rows:
         for name in ('area', 'corrected'):
             off = max(abs(row[name] / row['theirs'] - 1) for row in rows['gfmd'])
@@ -292,7 +299,8 @@ def forms_picture(document, file):
 
 def crossing_picture(document, file):
     drawing, curves, entries = Panels(600, 400, 1, 1, 60), [f'{CRITICAL},t with {GREY}'], []
-    for number, ((hurst,), rows) in enumerate(groups(document['crossing'], 'hurst').items(), 1):
+    coarse = [row for row in document['crossing'] if row['n'] == document['crossing'][0]['n']]
+    for number, ((hurst,), rows) in enumerate(groups(coarse, 'hurst').items(), 1):
         values = sorted(row[axis] for row in rows for axis in 'xy')
         curves.append(drawing.curve([(value, (k + 0.5) / len(values)) for k, value in enumerate(values)], style(number)))
         entries.append((f'H = {hurst:g}', style(number)))
