@@ -255,7 +255,7 @@ def summary(document):
         apart = max(abs(first / second - 1) for first, second in pairs)
         add('breadth', 'a = erf(√π/2 κ p/(E* slope)), nearly the same for all H', 'Prodanov, Dapp & Müser 2014, arXiv 1311.7547', 'form',
             f'κ {min(kappas):.2f} to {max(kappas):.2f}, between two H by {100 * apart:.0f} % at most; misfit up to {100 * off:.0f} %',
-            'by the misfit, largest at the lightest load of the narrowest spectrum; their κ and gap law could not be read')
+            'the form is too low at light loads and too high at p = 0.4; their κ and gap law could not be read')
     if 'gfmd' in rows:
         for name in ('area', 'corrected'):
             off = max(abs(row[name] / row['theirs'] - 1) for row in rows['gfmd'])
