@@ -335,12 +335,16 @@ def area_picture(document, file):
 
 
 def challenge_picture(document, file):
-    drawing, found = Panels(800, 420, 2, 1, 60), document['distributions'][-1]
+    drawing, found = Panels(1150, 400, 3, 1, 60), document['distributions'][-1]
     width, wide = rough.HIGHEST / rough.BINS, rough.WIDEST / rough.GAP_BINS
     drawing.panel(0, 0, 'pressures at 250 kPa', axes('pressure / (E* slope)', 'density', (0, rough.HIGHEST), (0, 0.035), LINEAR, 1), [
         drawing.curve([((k + 0.5) * width, value) for k, value in enumerate(found['pressures'])], style(2)), drawing.curve(DENSITY, hollow(1))])
     drawing.panel(1, 0, 'open gaps', axes('gap / rms height', 'density', (0, rough.WIDEST), (0, '*'), LINEAR, 1), [
         drawing.curve([((k + 0.5) * wide, value) for k, value in enumerate(found['gaps'])], style(2))])
+    wave = found['n'] / 1000  # cells in the shortest
+    patches = [(2**k * math.sqrt(2 - 1 / 2**k) / wave**2, count) for k, count in enumerate(found['patch_octaves']) if count]
+    drawing.panel(2, 0, 'patches', axes('area / (shortest wave)²', 'patches per octave', ('*', '*'), ('*', '*'), PLAIN), [
+        drawing.curve(patches, style(2))])
     drawing.draw(file, [('ours', style(2)), ('Wang, Müser 2017, Figure 2', hollow(1))], 2)
 
 

@@ -1,5 +1,5 @@
-// The container of contact.engineering and of the contact-mechanics challenge in HDF5: data set "surface", its first index along x, its
-// second along y. It names neither pitch nor unit. libhdf5 reads it from memory.
+// The container of contact.engineering and of the contact-mechanics challenge in HDF5: data set "surface", its first index along x,
+// its second along y. It names neither pitch nor unit. libhdf5 reads it from memory.
 #include <hdf5.h>
 
 #include <mutex>
@@ -60,7 +60,8 @@ Surface read_hdf5(std::string_view file, double unit) {
   if (H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, along_y.data()) < 0) throw Error(damaged);
   surface.heights.reserve(count);
   for (std::int64_t iy = 0; iy < surface.ny; ++iy)
-    for (std::int64_t ix = 0; ix < surface.nx; ++ix) surface.heights.push_back(unit * along_y[static_cast<std::size_t>(ix * surface.ny + iy)]);
+    for (std::int64_t ix = 0; ix < surface.nx; ++ix)
+      surface.heights.push_back(unit * along_y[static_cast<std::size_t>(ix * surface.ny + iy)]);
   surface.names_unit = false;
   return surface;
 }
