@@ -261,7 +261,7 @@ def summary(document):
             off = max(abs(row[name] / row['theirs'] - 1) for row in rows['gfmd'])
             add('gfmd', f'areas of surfaces with waves over two decades, {"cells counted" if name == "area" else "corrected"}',
                 'Zhou, in PerssonModelFudgeFactor', '7 areas, scatter below 0.001', f'within {100 * off:.1f} %',
-                'theirs: grid and correction not stated')
+                'their grid is not stated' + ('' if name == 'area' else '; they agree with counts'))
     if 'challenge' in rows:
         row, limit = [each for each in rows['challenge'] if each['pressure'] == 0.01][-1], extrapolated(document)
         add('challenge', 'challenge surface without adhesion, 250 kPa: area', 'Wang & Müser 2017, Figure 2, digitised', f'{DENSITY_AREA} ± 3 %',

@@ -1,5 +1,5 @@
-// The container of contact.engineering and of the contact-mechanics challenge in HDF5: data set "surface", its first index along x,
-// its second along y. It names neither pitch nor unit. libhdf5 reads it from memory.
+// The container of contact.engineering and of the contact-mechanics challenge in HDF5: data set "surface", its first index
+// along x, its second along y. It names neither pitch nor unit. libhdf5 reads it from memory.
 #include <hdf5.h>
 
 #include <mutex>
@@ -43,7 +43,8 @@ Surface read_hdf5(std::string_view file, double unit) {
     throw Error("libhdf5 gives no memory");
   const Hdf5Handle opened{H5Fopen("surface", H5F_ACC_RDONLY, access), H5Fclose, damaged};
   const Hdf5Handle set{H5Dopen2(opened, "surface", H5P_DEFAULT), H5Dclose,
-                       "the HDF5 file has no data set \"surface\"; if it is NetCDF-4, \"nccopy -k cdf5\" converts it"};
+                       "the HDF5 file has no data set \"surface\"; if it is NetCDF-4, \"nccopy -k cdf5\" converts it; " +
+                           std::string(other_readers)};
   const Hdf5Handle type{H5Dget_type(set), H5Tclose, damaged}, space{H5Dget_space(set), H5Sclose, damaged};
   const auto kind = H5Tget_class(type);
   if (kind != H5T_FLOAT && kind != H5T_INTEGER) throw Error("the data set \"surface\" holds no numbers");
