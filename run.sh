@@ -6,7 +6,7 @@
 # What OPTIONS leave out has a default: E* = 100 GPa (seal: E = 10 MPa, nu = 0.5); the mean pressures 50 MPa, 500 MPa and 2 GPa
 # (seal: 20, 50 and 100 kPa); --remove plane; heights and pitch in micrometres and a pitch of 1, if the file cannot say them;
 # --out build-run/demo/out. --page also writes report.html there, which needs Jinja2, NumPy and Plotly for Python.
-# With --out DIR and --resume an interrupted history goes on. All options: roughcontact solve --help, docs/command-line.md.
+# --out DIR --resume continues an interrupted history. All options: roughcontact solve --help, docs/command-line.md.
 set -euo pipefail
 root=$(cd "$(dirname "$0")" && pwd)
 build=$root/build-run

@@ -1,6 +1,6 @@
 """device.py [BUILD]: on a machine with a CUDA device, in less than ten minutes: builds, measures solves, batches and passes, and writes
-bench/results/device.json and the tables of docs/device.md. Exit status 77 if there is no device: nothing is written then. It needs Python with
-NumPy, nvcc, cuFFT and cmake; FFTW for the times on two threads of the host, which are left out without it.
+bench/results/device.json and the tables of docs/development/device.md. Exit status 77 if there is no device: nothing is written
+then. It needs Python with NumPy, nvcc, cuFFT and cmake; FFTW for the times on two threads of the host, which are left out without it.
 RC_DEVICE_SECONDS: time limit of the whole run (540). RC_DEVICE_READY=1: does not build; BUILD has the programs. RC_DEVICE_COMMIT: the commit, if
 this folder is no git repository.
 RC_DEVICE_PAIR="haar-cuda-host cuda-host" RC_DEVICE_PASSES=device_passes_host RC_DEVICE_SHORT=1: the same steps on the host, on small grids, for
@@ -166,7 +166,7 @@ def main():
     with open(SETTING('RC_DEVICE_OUTPUT') or os.path.join(ROOT, 'bench', 'results', 'device.json'), 'w', encoding='utf-8') as out:
         out.write(lines(rounded(result)))
     if 'RC_DEVICE_OUTPUT' not in os.environ:
-        fill(os.path.join(ROOT, 'docs', 'device.md'), {'measured': text_of(result)})
+        fill(os.path.join(ROOT, 'docs', 'development', 'device.md'), {'measured': text_of(result)})
     print(text_of(result))
 
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# documents.sh [--quick]: on a fresh clone, installs what is missing, builds into build/, and measures anew what docs/speed-accuracy.md,
-# docs/paper.md and docs/physics.md say and show, about an hour on one core; what the same library has measured is not measured again.
+# documents.sh [--quick]: on a fresh clone, installs what is missing, builds into build/, and measures anew what
+# the pages physics.md, speed-accuracy.md and paper.md show, about an hour on one core; what the same library has measured is not
+# measured again.
 # --quick: small scenes, into build/ instead of the source tree, three minutes beside the build.
 set -euo pipefail
 cd "$(dirname "$0")/.."

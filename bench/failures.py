@@ -102,7 +102,7 @@ def greedy(atlas):
     atlas.add('greedy', 'why: greedy is exact for every surface if and only if H^-1 has no positive entry off its diagonal',
               f'largest such entry over the smallest on the diagonal: {", ".join(couplings)}; negative for every kernel when every second '
               'cell is left out', 'a property of kernel and grid, tabled as "inverse"',
-              'galerkin and punch are exact on random surfaces only; see docs/paper.md')
+              'galerkin and punch are exact on random surfaces only; see docs/development/paper.md')
 
 
 def cascades(atlas, scene, halvings):

@@ -1,4 +1,4 @@
-"""Tables and the picture of docs/failures.md, from failures.json."""
+"""Tables and the picture of docs/development/failures.md, from failures.json."""
 import os
 
 from charts import FILTERS, Panels, axes, style, ticks

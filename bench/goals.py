@@ -1,4 +1,4 @@
-"""Option accuracy: how often the goal is met, on which grids, and what it saves: the rows and tables of docs/speed-accuracy.md, from goal.json."""
+"""Option accuracy: how often the goal is met, on which grids, and what it saves: the tables of the page speed-accuracy.md, from goal.json."""
 import sys
 
 from contact import solve, status_of

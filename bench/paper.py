@@ -1,4 +1,4 @@
-"""The figures of Bemporad & Paggi (2015), measured anew: the rows behind docs/paper.md."""
+"""The figures of Bemporad & Paggi (2015), measured anew: the rows behind docs/development/paper.md."""
 import os
 import random
 from functools import partial

@@ -1,4 +1,4 @@
-"""The pictures of docs/paper.md, from paper.json. What has not been measured is left out."""
+"""The pictures of docs/development/paper.md, from paper.json. What has not been measured is left out."""
 import math
 import os
 

@@ -1,5 +1,5 @@
-"""Rows of paper.json, the claims of Bemporad & Paggi (2015) beside what they say, and the tables of docs/paper.md. What has not been measured is
-named with the command that does."""
+"""Rows of paper.json, the claims of Bemporad & Paggi (2015) beside what they say, and the tables of docs/development/paper.md. What has
+not been measured is named with the command that does."""
 import math
 
 from samples import chosen, groups, median, median_interval, ratios, rows_of, values_of

@@ -1,4 +1,4 @@
-"""Tables and pictures of docs/peers.md, from peers.json, and the lines that a run prints."""
+"""Tables and pictures of docs/development/peers.md, from peers.json, and the lines that a run prints."""
 import collections
 import os
 

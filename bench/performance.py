@@ -1,5 +1,5 @@
-"""Tables and the picture of docs/performance.md, and the table of docs/benchmarks.md. What has not been measured is named with the command that
-does."""
+"""Tables and the picture of docs/development/performance.md, and the table of benchmarks.md. What has not been measured is named
+with the command that does."""
 import os
 
 import histories
@@ -61,7 +61,7 @@ def sections(results):
 
 
 def product_sections(results):
-    """Of docs/benchmarks.md."""
+    """The tables of docs/development/benchmarks.md."""
     document = load(results, 'products')
     return {'provenance': provenance(document), 'products': records(PADDED, document['products'])}
 

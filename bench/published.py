@@ -1,4 +1,4 @@
-"""Numbers that others published beside those of the library: the rows, tables and pictures of docs/published.md."""
+"""Numbers that others published beside those of the library: the rows, tables and pictures of docs/development/published.md."""
 import itertools
 import math
 import os

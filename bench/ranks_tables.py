@@ -1,4 +1,4 @@
-"""Tables and pictures of docs/scale-out.md, from ranks.json. Every line says whether it was measured or simulated."""
+"""Tables and pictures of docs/development/scale-out.md, from ranks.json. Every line says whether it was measured or simulated."""
 import math
 import os
 
@@ -97,7 +97,7 @@ def sections(results):
     document = load(results, 'ranks')
     if not document:
         return {'picture': '', **{name: missing(COMMAND) for name in ('measured', 'counted', 'strong', 'weak', 'failed', 'provenance')}}
-    picture = '![Seconds of solves against ranks, simulated](images/ranks.png)' if good(document, 'simulated') else ''
+    picture = '![Seconds of solves against ranks, simulated](../images/ranks.png)' if good(document, 'simulated') else ''
     return {'picture': picture, 'measured': records(PAIRS, pairs(document)), 'counted': records(COUNTS, counts(document)),
             'strong': records(SIMULATED, simulations(document, False)), 'weak': records(SIMULATED, simulations(document, True)),
             'failed': failed(document), 'provenance': provenance(document)}

@@ -1,6 +1,7 @@
-"""Rows of pareto.json, what they say about methods and grids, and the tables and pictures of docs/speed-accuracy.md."""
+"""Rows of pareto.json, what they say about methods and grids, and the tables and pictures of docs/development/speed-accuracy.md."""
 import os
 
+import headline
 from charts import Panels, axes, decades, line, style, ticks
 from goals import goal_section
 from samples import chosen, groups, median, rows_of
@@ -353,6 +354,15 @@ def kernel_picture(document, file):
     drawing.draw(file, list(looks.items()), 5)
 
 
+def headline_picture(document, file):
+    """The contact of README.md."""
+    for case in cases(document, scene='self-affine', contact=0.1):
+        peers = groups([row for row in of_case(document, 'peers', case) if 'error' not in row], 'code')
+        found = {**lines(document, case), **{code: rows for (code,), rows in peers.items()}}
+        headline.draw(file, {code: clipped(found[code], 'pressure_error') for code in headline.CODES if code in found},
+                      max(grid_error(document, case, 'pressure_error') or 0, LEAST))
+
+
 def pictures(results, images):
     document = load(results, 'pareto')
     both, pressure = ('load_error', 'pressure_error'), ('pressure_error',)
@@ -367,5 +377,6 @@ def pictures(results, images):
             errors_picture(document, os.path.join(images, name + '.png'), [(case, key) for case in chosen for key in keys], methods)
         else:
             print(f'no surface for it: {name}.png stays as it is')
+    headline_picture(document, os.path.join(images, 'headline.svg'))
     grid_picture(document, os.path.join(images, 'pareto-grids.png'))
     kernel_picture(document, os.path.join(images, 'pareto-kernels.png'))

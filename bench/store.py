@@ -64,7 +64,7 @@ class Store:
     def put(self, name, key, values):
         """The record of the key and these values, in the place of the one with this key."""
         rows = self.document.setdefault(name, [])
-        row = plain({**key, 'library': self.library, **values})
+        row = rounded(plain({**key, 'library': self.library, **values}))  # as it is read again
         at = next((i for i, old in enumerate(rows) if fits(old, key)), len(rows))
         rows[at:at + 1] = [row]
         self.save()

@@ -17,5 +17,5 @@ export PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$root/bindings/python ROUGHCONTACT_L
 export RC_DOXYGEN_XML=$site/doxygen/xml
 "$python" "$root/docs/site/reference.py" "$root" "$site/source/reference"
 "$python" -m sphinx -q -W --keep-going -b html -c "$root/docs/site" -d "$site/doctrees" "$site/source" "$site/html"
-echo '<meta http-equiv="refresh" content="0; url=README.html">' >"$site/html/index.html"
+echo '<meta http-equiv="refresh" content="0; url=docs/index.html">' >"$site/html/index.html"
 echo "$(find "$site/html" -name '*.html' | wc -l) pages in $site/html"

@@ -25,8 +25,8 @@ const rc_option_spec near_field = {.struct_size = sizeof(rc_option_spec),
 const rc_option_spec* const options[] = {&memory_limit, &near_field};
 constexpr rc_backend backend = roughcontact::backend<Operator>(
     "Cholesky factors by SuiteSparse, of all entries with rows added and deleted or of the near field",
-    "GPL-2.0-or-later AND LGPL-2.1-or-later AND MPL-2.0 AND BSD-3-Clause", RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_SEMI_PERIODIC | RC_CAP_DENSE_INPUT,
-    options);
+    "GPL-2.0-or-later AND LGPL-2.1-or-later AND MPL-2.0 AND BSD-3-Clause",
+    RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_SEMI_PERIODIC | RC_CAP_DENSE_INPUT, options);
 constexpr const rc_backend* backends[] = {&backend};
 constexpr rc_plugin plugin = roughcontact::plugin("cholmod", "0.1.0", backends);
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # backends/cuda/resources.sh [--update]: registers, spills and shared memory of every kernel and of the functions that they call, for each architecture, as a table of
-# Markdown; --update writes it into docs/device.md. Needs nvcc (NVCC=...), no device.
+# Markdown; --update writes it into docs/development/device.md. Needs nvcc (NVCC=...), no device.
 set -euo pipefail
 cd "$(dirname "$0")"
 root=$(cd ../.. && pwd)
@@ -15,4 +15,4 @@ for architecture in $architectures; do
       -I"$root/backends" -I. -o /dev/null $source.cpp >>"$log" 2>&1
   done
 done
-python3 resources.py "$log" "$("$nvcc" --version | sed -n 's/.*release \([0-9.]*\).*/\1/p')" ${1:+"$root/docs/device.md"}
+python3 resources.py "$log" "$("$nvcc" --version | sed -n 's/.*release \([0-9.]*\).*/\1/p')" ${1:+"$root/docs/development/device.md"}

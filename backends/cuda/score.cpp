@@ -11,8 +11,8 @@ namespace rc_cuda {
 
 namespace {
 
-// [s] Measured on an H100 (docs/device.md). For each point: a product, the rest of a step, the host's work and transfers of a
-// solve. For each byte: a transfer of an operator. For each launch: its time, with the launches on coarser grids.
+// [s] Measured on an H100, as docs/development/device.md says. For each point: a product, the rest of a step, the host's work and
+// transfers of a solve. For each byte: a transfer of an operator. For each launch: its time, with the launches on coarser grids.
 constexpr double of_product = 1.3e-10, of_step = 6e-11, of_host = 1e-8, of_transfer = 1e-10, of_launch = 1.1e-5;
 constexpr double launches_of_product = 9, launches_of_step = 40;
 constexpr double products = 40;  // of a usual step

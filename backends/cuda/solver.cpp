@@ -183,7 +183,7 @@ rc_status solve(const rc_host* host, const rc_problem* given, const rc_options* 
     const auto iterate_in = mixed ? iterate<float> : iterate<double>;
     rc_status status = iterate_in(host, *given, options, problem, warm, p, *d);
     if (status == RC_STOP_STALLED && !problem.load_control() && problem.has_subset()) {
-      problem.note(std::string(names::solver) + ": stalled; nnls finished");
+      problem.note(std::string(names::solver) + " stalled; nnls completed the step");
       status = problem.by_nnls(p);
     }
     roughcontact::check(status);

@@ -16,9 +16,9 @@ const rc_option_spec memory_limit = {.struct_size = sizeof(rc_option_spec),
                                      .minimum = 1.0,
                                      .maximum = 1e9};
 const rc_option_spec* const options[] = {&memory_limit};
-constexpr rc_backend backend =
-    roughcontact::backend<Operator>("stored matrix with an updatable Cholesky factor", "BSD-3-Clause AND MPL-2.0",
-                                    RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_SEMI_PERIODIC | RC_CAP_DENSE_INPUT | RC_CAP_THREAD_INVARIANT, options);
+constexpr rc_backend backend = roughcontact::backend<Operator>(
+    "stored matrix with an updatable Cholesky factor", "BSD-3-Clause AND MPL-2.0",
+    RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_SEMI_PERIODIC | RC_CAP_DENSE_INPUT | RC_CAP_THREAD_INVARIANT, options);
 constexpr const rc_backend* backends[] = {&backend};
 constexpr rc_plugin plugin = roughcontact::plugin("dense", "0.1.0", backends);
 

@@ -7,20 +7,20 @@ namespace rc_fft {
 
 namespace {
 
-const rc_option_spec precision = {.struct_size = sizeof(rc_option_spec),
-                                  .key = "fft.precision",
-                                  .default_value = "auto",
-                                  .choices = "auto|mixed|single",
-                                  .help =
-                                      "single: half the memory, every product off by up to 5e-7 of its largest entry; for tol of "
-                                      "1e-5 and above only. auto: single where "
-                                      "option accuracy allows it, else mixed",
-                                  .type = RC_TYPE_TEXT,
-                                  .fixed = 1};
+const rc_option_spec precision = {
+    .struct_size = sizeof(rc_option_spec),
+    .key = "fft.precision",
+    .default_value = "auto",
+    .choices = "auto|mixed|single",
+    .help =
+        "single: half the memory for transforms, errors of products up to 5e-7 of their largest entry; "
+        "only for tol of 1e-5 and above. auto: single if option accuracy allows it, else mixed",
+    .type = RC_TYPE_TEXT,
+    .fixed = 1};
 const rc_option_spec* const options[] = {&precision};
-constexpr rc_backend backend =
-    roughcontact::backend<HalfSpace>("fast Fourier transforms on the box of the points that may carry pressure", "BSD-3-Clause",
-                                     RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_SEMI_PERIODIC | RC_CAP_ROWS | RC_CAP_THREAD_INVARIANT, options);
+constexpr rc_backend backend = roughcontact::backend<HalfSpace>(
+    "fast Fourier transforms on the box of the points that may carry pressure", "BSD-3-Clause",
+    RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_SEMI_PERIODIC | RC_CAP_ROWS | RC_CAP_THREAD_INVARIANT, options);
 constexpr const rc_backend* backends[] = {&backend};
 constexpr rc_plugin plugin = roughcontact::plugin("fft", "0.1.0", backends);
 

@@ -8,7 +8,8 @@ void Cache::fit(std::unique_ptr<Transforms>& present, Lengths needed, Lengths la
   if (present && suits(present->lengths, needed, period_)) return;
   auto best = idle_.end();
   for (auto it = idle_.begin(); it != idle_.end(); ++it)
-    if (suits((*it)->lengths, needed, period_) && (best == idle_.end() || points((*it)->lengths) < points((*best)->lengths))) best = it;
+    if (suits((*it)->lengths, needed, period_) && (best == idle_.end() || points((*it)->lengths) < points((*best)->lengths)))
+      best = it;
   std::unique_ptr<Transforms> next;
   if (best != idle_.end()) {
     next = std::move(*best);

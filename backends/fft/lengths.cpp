@@ -57,9 +57,9 @@ std::int64_t fast_length(std::int64_t at_least) {
   return fastest;
 }
 
-Lengths periods(const rc_system& system) {
+Lengths periods(Lengths grid, bool repeats_x, bool repeats_y) {
   const auto period = [](bool repeats, std::int64_t points) { return repeats && has_small_factors(points) ? points : 0; };
-  return {period(system.boundary == RC_BOUNDARY_PERIODIC_X, system.nx), period(system.boundary == RC_BOUNDARY_PERIODIC_Y, system.ny)};
+  return {period(repeats_x, grid.x), period(repeats_y, grid.y)};
 }
 
 Lengths fast_lengths(Lengths needed, Lengths period) {

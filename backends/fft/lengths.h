@@ -1,8 +1,6 @@
 // Which lengths the transforms have.
 #pragma once
 
-#include <roughcontact/roughcontact.h>
-
 #include <cstdint>
 
 namespace rc_fft {
@@ -34,18 +32,18 @@ inline bool worth_sharing(Lengths l) { return points(l) >= 1e5; }
 
 // The periods of a grid that repeats along one axis, where they are fast lengths; else 0. A circular product of this length is
 // exact for any sources and targets.
-Lengths periods(const rc_system& system);
+Lengths periods(Lengths grid, bool repeats_x, bool repeats_y);
 
 // fast_length() of each axis, but no longer than a period.
-Lengths fast_lengths(Lengths needed, Lengths period);
+Lengths fast_lengths(Lengths needed, Lengths period = {});
 
-bool covers(Lengths have, Lengths needed, Lengths period);
+bool covers(Lengths have, Lengths needed, Lengths period = {});
 
 // Whether lengths cover what is needed and are not much too long.
-bool suits(Lengths have, Lengths needed, Lengths period);
+bool suits(Lengths have, Lengths needed, Lengths period = {});
 
 // Lengths for a transform that has to cover `needed`, never more than what covers `largest`. The present ones are kept
 // if they suit; if they have been outgrown, the new ones leave room for the next growth.
-Lengths choose_lengths(Lengths needed, Lengths largest, Lengths present, Lengths period);
+Lengths choose_lengths(Lengths needed, Lengths largest, Lengths present, Lengths period = {});
 
 }  // namespace rc_fft

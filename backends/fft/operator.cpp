@@ -51,7 +51,8 @@ Operator::Operator(const rc_host* host, const rc_operator_spec& spec)
       spec_(spec),
       single_(in_single_precision(host, spec.options)),
       team_(*spec.team),
-      period_(periods(*spec.system)),
+      period_(periods({spec.system->nx, spec.system->ny}, spec.system->boundary == RC_BOUNDARY_PERIODIC_X,
+                      spec.system->boundary == RC_BOUNDARY_PERIODIC_Y)),
       cache_(cache_limit(*spec.system), period_),
       pool_(roughcontact::shared<rc_common::Pool<Workspace>>(host, component, "fft workspaces",
                                                              [] { return std::make_unique<rc_common::Pool<Workspace>>(); })),
@@ -136,8 +137,7 @@ void Operator::field(const double* x, double* y) {
 double Operator::norm() { return single_ ? norm_in<float>() : norm_in<double>(); }
 
 template <class Real> double Operator::norm_in() {
-  const Lengths lengths =
-      periodic() ? Lengths{box_.nx, box_.ny} : fast_lengths(box_lengths(), period_);
+  const Lengths lengths = periodic() ? Lengths{box_.nx, box_.ny} : fast_lengths(box_lengths(), period_);
   const double mean = zero_mode_ / (static_cast<double>(spec_.system->nx) * static_cast<double>(spec_.system->ny));
   wake();
   const auto waves = std::make_shared<Waves<Real>>(lengths);

@@ -285,9 +285,10 @@ template class SlabTransform<float>;
 Slabs::Slabs(const rc_host* host, const rc_operator_spec& spec) : points_(spec.system->nx * spec.system->ny) {
   const rc_system& system = *spec.system;
   const bool periodic = system.boundary == RC_BOUNDARY_PERIODIC;
-  const Lengths lengths =
-      periodic ? Lengths{system.nx, system.ny}
-               : fast_lengths({exact_length(0, system.nx, system.nx), exact_length(0, system.ny, system.ny)}, periods(system));
+  const Lengths lengths = periodic ? Lengths{system.nx, system.ny}
+                                   : fast_lengths({exact_length(0, system.nx, system.nx), exact_length(0, system.ny, system.ny)},
+                                                  periods({system.nx, system.ny}, system.boundary == RC_BOUNDARY_PERIODIC_X,
+                                                          system.boundary == RC_BOUNDARY_PERIODIC_Y));
   const Strips strips(SharedWaves::count_of(lengths.x), spec.rows->ranks);
   const rc_status made = roughcontact::guard(host, component, [&] {
     if (std::strcmp(roughcontact::option_text(host, spec.options, "fft.precision"), "single") == 0)

@@ -1,7 +1,7 @@
 """Sphinx' settings for the site of the documents; scripts/site.sh runs it.
 
-The pages are those of the source tree. The front page is README.md, to which the contents are appended; pages of the reference are
-made from the sources by reference.py.
+The pages are those of the source tree. The front page is docs/index.md, to which the contents are appended; pages of the reference
+are made from the sources by reference.py.
 """
 
 import os
@@ -14,7 +14,7 @@ tree = pathlib.Path(__file__).parents[2]
 
 project = 'roughcontact'
 version = release = re.search(r'^project\(.* VERSION ([0-9.]+)', (tree / 'CMakeLists.txt').read_text(), re.M)[1]
-root_doc = 'README'
+root_doc = 'docs/index'
 extensions = ['breathe', 'myst_parser', 'sphinx.ext.autodoc']
 exclude_patterns = ['tests/data/README.md', 'tests/contract/pairs/README.md']
 html_theme = 'furo'
@@ -38,85 +38,90 @@ CONTENTS = """
 :caption: Start
 :hidden:
 
-docs/install
-docs/tutorial
-docs/how-to/eleven-tasks
-docs/gallery
-examples/README
+../README
+install
+tutorial
+how-to/eleven-tasks
+gallery
+../examples/README
 ```
 
 ```{toctree}
-:caption: How to
+:caption: Maps
 :hidden:
 
-docs/how-to/file-to-report
-docs/how-to/free-or-periodic
-docs/how-to/modulus-and-units
-docs/how-to/limits
-docs/how-to/tolerance
-docs/how-to/grid
-docs/how-to/many-surfaces
-docs/how-to/campaigns
-docs/how-to/calculix
-docs/how-to/cite
-docs/command-line
-docs/python
-docs/fortran
-docs/octave
-docs/fem
-integrations/README
-integrations/4c/README
-integrations/mirco/README
-docs/surface-files
-docs/surfaces
-docs/derivatives
-docs/law
-docs/speed-accuracy
-docs/plugins
-docs/device
+how-to/file-to-report
+how-to/prepare-a-map
+how-to/free-or-periodic
+how-to/modulus-and-units
+how-to/conductance
+how-to/seals
+how-to/many-surfaces
+how-to/campaigns
+how-to/limits
+how-to/grid
+how-to/tolerance
+physics
+how-to/cite
+surface-files
+command-line
+```
+
+```{toctree}
+:caption: Programs
+:hidden:
+
+python
+how-to/coming-from
+derivatives
+surfaces
+fortran
+octave
+device
+how-to/many-machines
+compatibility
+```
+
+```{toctree}
+:caption: Finite elements
+:hidden:
+
+law
+fem
+how-to/calculix
+../integrations/README
+../integrations/4c/README
+../integrations/mirco/README
 ```
 
 ```{toctree}
 :caption: Reference
 :hidden:
 
-docs/reference
-docs/glossary
-docs/options
-docs/errors
-docs/certificate
-docs/compatibility
-packaging/README
+reference
+options
+glossary
+certificate
+troubleshooting
+how-to/uninstall
+../CHANGELOG
 ```
 
 ```{toctree}
-:caption: Explanation
-:hidden:
-
-docs/decisions
-docs/paper
-docs/failures
-docs/physics
-docs/published
-docs/performance
-docs/scale-out
-docs/benchmarks
-docs/peers
-```
-
-```{toctree}
-:caption: Work on it
+:caption: Development
 :hidden:
 :glob:
 
-CONTRIBUTING
-docs/development/tests
-CHANGELOG
-backends/*/README
-src/solvers/haar_cg/README
-fuzz/README
-integrations/calculix/README
-integrations/calculix/LICENSE
+../CONTRIBUTING
+../CODE_OF_CONDUCT
+../SECURITY
+development/*
+../packaging/README
+../backends/*/README
+../src/solvers/haar_cg/README
+../fuzz/README
+../integrations/calculix/README
+../integrations/calculix/LICENSE
 ```
 """
 REFERENCE = """
@@ -130,7 +135,7 @@ REFERENCE = """
 
 def complete(app, docname, source):
     """The contents belong to the site, not to the pages as a forge shows them."""
-    source[0] += {'README': CONTENTS, 'docs/reference': REFERENCE}.get(docname, '')
+    source[0] += {root_doc: CONTENTS, 'docs/reference': REFERENCE}.get(docname, '')
 
 
 def marked_up(line):

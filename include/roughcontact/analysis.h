@@ -1,4 +1,4 @@
-/* roughcontact: what a contact looks like: area, connected patches, distribution of pressure, crossing; and its conductance. */
+/* roughcontact: analysis of a contact: area, connected patches, distribution of pressure, percolation, conductance. */
 #ifndef ROUGHCONTACT_ANALYSIS_H
 #define ROUGHCONTACT_ANALYSIS_H
 
@@ -64,18 +64,19 @@ typedef struct rc_crossing {
 } rc_crossing;
 #define RC_CROSSING_INIT RC_BEGIN(rc_crossing)
 
-/** @defgroup analysis Analysis: what a contact looks like
- *  Functions of pressures alone, the caller's or a result's, without handles; any thread. Of the system nx, ny, hx, hy and the
- *  boundary count: RC_BOUNDARY_PERIODIC joins opposite sides of the grid, _X and _Y those of their axis. For DENSE and CALLBACK the points are taken as a free
- *  grid of nx by ny. p [nx*ny]: >= 0; a point is in contact where p > 0. mask [nx*ny]: 0: not in contact, its p is ignored
- *  (it may be NaN); NULL: all points. Nothing is written by a call that fails. The same bits in every run.
+/** @defgroup analysis Analysis: area, patches, histogram, percolation
+ *  Functions only of pressures, the caller's or a result's, without handles; any thread. Of the system nx, ny, hx, hy and the
+ *  boundary count: RC_BOUNDARY_PERIODIC joins opposite sides of the grid, _X and _Y those of their axis. For DENSE and CALLBACK
+ *  the points are taken as a free grid of nx by ny. p [nx*ny]: >= 0; a point is in contact where p > 0. mask [nx*ny]: 0: not in
+ *  contact, its p is ignored (it may be NaN); NULL: all points. Nothing is written by a call that fails. The same bits in every
+ *  run.
  *  Errors: ARGUMENT (null, NaN or negative p, the struct's own limits), SHAPE (nx, ny), MEMORY.
  *  @{ */
 /** Area, perimeter, and the area corrected for the grid: cells that touch in part carry pressure as well, so that the area of a
  *  solved contact is too large by about (pi - 1 + ln 2)/24 = 0.118 cells for every edge of its border (Yastrebov, Anciaux &
  *  Molinari, Tribology International 114 (2017) 161; an edge counts with the pitch across it, which makes hx hy of each). Edges
  *  at the border of a free grid and of the mask are left out: there the body ends, not the contact.
- *  The corrected area is between 0.527 and 1 times the area. It says something where patches are several cells wide, nothing of
+ *  The corrected area is between 0.527 and 1 times the area. It is meaningful if patches are several cells wide, not for
  *  single cells (0.527 cells each) or a checkerboard, and cells that were chosen by their centres need no correction. */
 RC_API rc_status rc_area_measure(const rc_system *system, const double *p, const uint8_t *mask, rc_area *out);
 /** Connected parts of the contact, in time proportional to the points. Memory: 40 bytes for each row of neighbouring cells in
@@ -91,7 +92,7 @@ RC_API rc_status rc_crossing_find(const rc_system *system, const double *p, cons
  *  Lond. A 459 (2003) 53). For a circular spot that is Holm's 4 radius / (rho1 + rho2). system: HALFSPACE, its modulus counts.
  *  result: of a step with option stiffness = 1 or 2. rho1, rho2 >= 0, not both 0: resistivities of the bodies, or reciprocals of
  *  their thermal conductivities. Units: dW/dd / E* is a length, so ohm m give 1/ohm, and m K/W give W/K. *conductance: infinite
- *  in full periodic contact, where nothing constricts the flow. *lower, *upper (NULL: not wanted): the exact
+ *  in full periodic contact, because nothing constricts the flow. *lower, *upper (NULL: not wanted): the exact
  *  conductance lies between them; NaN where the result proves no interval. Errors: ARGUMENT. */
 RC_API rc_status rc_conductance(const rc_system *system, const rc_result *result, double rho1, double rho2, double *conductance,
                                 double *lower, double *upper);
@@ -103,7 +104,7 @@ RC_API rc_status rc_conductance(const rc_system *system, const rc_result *result
  *  A contact whose points below the hardness are these has this rc_result.stiffness, and it grows with the set. *stiffness
  *  [force/length]: to option tol or closer; 0 without points. Periodic: infinite for all points, finite for fewer.
  *  *lower, *upper (NULL: not wanted): the exact one lies between them; NaN where no bound of H's eigenvalues is known. options may
- *  be NULL; of them those of products and operators count, tol, threads and time_limit. Status: RC_STOP_STALLED: written, round-off
+ *  be NULL; those of products and operators, tol, threads and time_limit are used. Status: RC_STOP_STALLED: written, round-off
  *  may keep a larger error, which the interval counts. RC_STOP_TIME: nothing is written. Errors: as rc_contact_create. */
 RC_API rc_status rc_punch_stiffness(const rc_system *system, const uint8_t *mask, const rc_options *options, double *stiffness,
                                     double *lower, double *upper);

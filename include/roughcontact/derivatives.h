@@ -60,7 +60,7 @@ typedef struct rc_tangent {
                             saves a product over all points                                                          */
   double dload;          /* out [force]                                                                              */
   double dapproach;      /* out [length]                                                                             */
-  double error;          /* out: likewise of dp                                                                      */
+  double error;          /* out: the same for dp                                                                     */
   int64_t undecided;     /* out, as in rc_gradient                                                                   */
   int64_t products;      /* out                                                                                      */
 } rc_tangent;

@@ -8,7 +8,7 @@
 extern "C" {
 #endif
 
-/** What a direct routine tells besides p and w. */
+/** Results of a direct routine besides p and w. */
 typedef struct rc_direct {
   size_t struct_size;
   rc_status status;     /* as returned                                                                               */

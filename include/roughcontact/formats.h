@@ -23,21 +23,21 @@ RC_API const char *rc_surface_read_last_error(void);
 
 /** @defgroup read Surfaces from files  @{ */
 
-/** What a caller knows better than the file. */
+/** What overrides or completes the file. */
 typedef struct rc_surface_read_spec {
   size_t struct_size;  /* sizeof(rc_surface_read_spec)                                                       */
   const char *format;  /* name of a format; NULL: by the contents, else by the suffix of the file's name     */
   const char *unit;    /* of lengths whose unit the file does not name, and of hx and hy: "m" with an SI prefix ("um");
                           NULL: "m"                                                                          */
-  double hx, hy;       /* pitch, in the place of the file's; both 0: the file's                              */
+  double hx, hy;       /* pitch, replaces the file's; both 0: the file's                                      */
 } rc_surface_read_spec;
 #define RC_SURFACE_READ_SPEC_INIT RC_BEGIN(rc_surface_read_spec)
 
-/** A surface as it was read. Begin with RC_SURFACE_FILE_INIT; rc_surface_file_free frees what a call has put in. */
+/** A surface as it was read. Begin with RC_SURFACE_FILE_INIT; rc_surface_file_free frees the memory that a call has allocated. */
 typedef struct rc_surface_file {
   size_t struct_size;  /* sizeof(rc_surface_file)                                                            */
   int64_t nx, ny;      /* points                                                                            */
-  double hx, hy;       /* pitch [m]; 0 where neither the file nor the caller says it                         */
+  double hx, hy;       /* pitch [m]; 0 if neither the file nor the caller has one                            */
   double *heights;     /* [nx*ny] [m], NaN where a point is missing; the caller may change them              */
   int64_t missing;     /* points                                                                            */
   int32_t periodic;    /* 1: the surface repeats; 0: the file says that it does not; -1: the file does not say */
@@ -49,17 +49,17 @@ typedef struct rc_surface_file {
 #define RC_SURFACE_FILE_INIT \
   { sizeof(rc_surface_file), 0, 0, 0.0, 0.0, NULL, 0, -1, 0, "", "", NULL }
 
-/** Reads a file; of several maps in it the first. spec: NULL is RC_SURFACE_READ_SPEC_INIT. *out is overwritten, and what it
- *  held is not freed. Errors: ARGUMENT (also a file that cannot be opened, is damaged or of no known format; a unit that is no
+/** Reads the first map of a file. spec: NULL is RC_SURFACE_READ_SPEC_INIT. *out is overwritten, and its earlier memory is not
+ *  freed. Errors: ARGUMENT (also a file that cannot be opened, is damaged or of no known format; a unit that is no
  *  length), MEMORY. */
 RC_API rc_status rc_surface_read(const char *path, const rc_surface_read_spec *spec, rc_surface_file *out);
 
-/** The same of a file that lies in memory, data [size], which is only read. name: NULL, or the file's name, of which the suffix
- *  is used as for a path, and which stands in messages. */
+/** The same for a file in memory, data [size], which is only read. name: NULL, or the file's name, for its suffix and for
+ *  messages. */
 RC_API rc_status rc_surface_read_memory(const void *data, size_t size, const char *name, const rc_surface_read_spec *spec,
                                         rc_surface_file *out);
 
-/** Frees what a call has put in, and makes the struct as new but for its struct_size. NULL and new structs may be given. */
+/** Frees the memory that a call has allocated, and resets the struct except its struct_size. NULL and new structs are allowed. */
 RC_API void rc_surface_file_free(rc_surface_file *file);
 
 /** A format that can be read. The texts live as long as the library. */
@@ -68,7 +68,7 @@ typedef struct rc_surface_format {
   const char *name;      /* of rc_surface_read_spec.format                                                   */
   const char *summary;
   const char *suffixes;  /* separated by spaces, ".txt .csv"                                                  */
-  const char *says;      /* which lengths such a file tells: "pitch and unit"                                 */
+  const char *says;      /* the lengths that such a file contains: "pitch and unit"                          */
   int32_t by_contents;   /* 1: recognised by its contents; 0: by the suffix                                   */
   int32_t reserved;
 } rc_surface_format;

@@ -62,7 +62,7 @@ RC_API rc_status rc_contact_indentation(rc_contact *contact, double *indentation
 /** @} */
 
 /** @defgroup restart Restart  @{ */
-/** Where a loading history stands, for rc_contact_restore: what rc_result gave for its last two steps with RC_OK or
+/** The state of a loading history, for rc_contact_restore: values of rc_result from its last two steps with RC_OK or
  *  RC_WITHIN_GOAL. All of it is copied. */
 typedef struct rc_state {
   size_t struct_size;
@@ -71,13 +71,13 @@ typedef struct rc_state {
   const double *p;      /* [n] its pressures [force/length^2]; NULL: there was no such step                          */
   double approach;      /* rc_result.approach [length]                                                               */
   double load;          /* rc_result.load [force]                                                                    */
-  const double *p_before; /* [n] likewise of the step before it; NULL: none, or its surface was another              */
+  const double *p_before; /* [n] the same of the step before it; NULL: none, or its surface was another              */
   double approach_before, load_before;
   const double *indentation; /* [n] of rc_contact_indentation after its last step, >= 0 [length]; NULL: none          */
 } rc_state;
 #define RC_STATE_INIT RC_BEGIN(rc_state)
 
-/** Puts the contact, a new one or one that has solved steps, where another one of the same system and options was after a
+/** Sets the contact, a new one or one that has solved steps, to the state of another one of the same system and options after a
  *  certified step: the next steps start from the same pressures and approaches. With option resumable = 1, in the contact that
  *  solved and in this one, they give the same bits, for every solver and backend; without it to round-off, since operators may
  *  remember more. A call that fails changes nothing. Errors: ARGUMENT, MEMORY, BUSY. */
@@ -140,9 +140,9 @@ typedef struct rc_batch {
 
 /** Solves the history of every contact, each as by an rc_contact of its own and rc_contact_solve_history: the same bits, whatever
  *  the number of threads. A solver that takes many contacts at once ("haar-cuda") gives other bits than contacts of their own,
- *  with the same certificate; whatever the number of threads and of contacts, too. It is asked where fn and the outputs from
- *  mean_gap to stiffness_upper are NULL and virgin is 0.
- *  Option threads: contacts that are solved at the same time, each by one thread; where the system refuses threads, fewer.
+ *  with the same certificate; they do not depend on the number of threads and contacts either. It is used if fn and the outputs
+ *  from mean_gap to stiffness_upper are NULL and virgin is 0.
+ *  Option threads: contacts that are solved at the same time, each by one thread; fewer if the system refuses threads.
  *  Option time_limit: seconds for the whole batch. options may be NULL. A CALLBACK system's apply is called from several threads
  *  at the same time. All threads have ended when the call returns.
  *  A contact that fails does not stop the others. RC_OK: every step of every contact is certified. Otherwise the status of the

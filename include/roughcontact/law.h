@@ -4,8 +4,8 @@
  * conductance. The patch is solved at some tens of nodes; after that no contact problem is solved. A law never changes once it
  * is made: any number of threads evaluate it at the same time, without locks and without memory of their own.
  *
- * Overclosure. x = 0 is first touch of the undeformed bodies, x > 0 brings them nearer. What the half-space below the patch yields
- * as a whole is not in x, because the mesh of a finite element program yields there already:
+ * Overclosure. x = 0 is first touch of the undeformed bodies, x > 0 brings them nearer. The deflection of the half-space below the
+ * patch as a whole is not in x, because the mesh of a finite element program has it already:
  *   periodic boundaries   x = approach: it is the change of the gap between the mean planes, and nothing is subtracted.
  *   others                x = change of the mean gap, or approach - load / (a given stiffness), see rc_law_spec.bulk.
  *
@@ -45,8 +45,8 @@ typedef struct rc_law_spec {
   double p_lower, p_upper; /* the tolerances hold between these nominal pressures [force/length^2], 0 < lower < upper */
   double tolerance;      /* half the width of the bounds of p, over p: 1e-6 .. 0.1; 1e-3 unless set                   */
   double tolerance_conductance; /* the same for the conductance, 1e-4 .. 1: more nodes. 0: as it comes (default)      */
-  int32_t bulk;          /* RC_LAW_BULK_*. NONE: x = approach. GIVEN: x = approach - load / bulk_stiffness. MEAN, for a
-                            half-space with free or semi-periodic boundaries: x = change of the mean gap. AUTO: MEAN there, else NONE */
+  int32_t bulk;          /* RC_LAW_BULK_*. NONE: x = approach. GIVEN: x = approach - load / bulk_stiffness. MEAN, not for
+                            periodic boundaries: x = change of the mean gap. AUTO: MEAN for other half-spaces, else NONE */
   int32_t reserved;      /* 0                                                                                         */
   double bulk_stiffness; /* GIVEN: > 0 [force/length]; else 0                                                         */
   int64_t max_nodes;     /* >= 3; 0: 10000. A law that needs more ends with RC_STOP_MAX_ITER                          */
@@ -67,7 +67,7 @@ typedef struct rc_law_info {
   size_t struct_size;
   int64_t nodes;         /* the origin included                                                                       */
   int64_t solves;        /* contact problems that were solved                                                         */
-  double seconds;        /* rc_law_create took these; 0 for a law from a file                                         */
+  double seconds;        /* time of rc_law_create; 0 for a law from a file                                            */
   int32_t bounds;        /* the weakest RC_LAW_* of its intervals between p_lower and p_upper                         */
   int32_t bulk;          /* RC_LAW_BULK_NONE, _GIVEN or _MEAN                                                         */
   double width;          /* largest half-width of the bounds of p, over p, between first and last node; intervals that are

@@ -291,7 +291,7 @@ typedef struct rc_coarse {
 typedef struct rc_kept_steps rc_kept_steps;
 struct rc_kept_steps {
   size_t struct_size;
-  /* The objects that this solver kept of the last step and of the step before it; NULL: none. `last` is NULL, too, if the start
+  /* The objects that this solver kept of the last step and of the step before it; NULL: none. `last` is also NULL if the start
      is not made of the last step. If `last` is not NULL, p is min(max(0, (a + ahead*(a - b)) / pressure), cap) with a point's
      pressures a and b in these steps; b plays no part if ahead is 0. p has these values in any case. The solver may drop what it
      kept, and no later step starts from `before`: its memory is free for use                                          */
@@ -422,7 +422,7 @@ struct rc_many {
   int64_t done;         /* contacts 0 .. done-1 have answers, at least one; the others are asked for again     */
 };
 
-/* Needs and abilities of a solver (rc_solver.needs). RC_CAP_SUBSET and RC_CAP_SHIFTED are needs, too: if the backend lacks the
+/* Needs and abilities of a solver (rc_solver.needs). RC_CAP_SUBSET and RC_CAP_SHIFTED are also needs: if the backend lacks the
  * function, the library solves by conjugate gradients instead. */
 #define RC_NEEDS_GRID (UINT64_C(1) << 32) /* a half-space grid, not the caller's matrix or product              */
 #define RC_WANTS_BOX (UINT64_C(1) << 33)  /* every point of a box as an unknown is handier than most of them    */

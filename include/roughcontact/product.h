@@ -13,8 +13,8 @@ extern "C" {
 /** One grid's influence matrix: its spectrum, plans, factors. One thread at a time. */
 typedef struct rc_product rc_product;
 
-/** options may be NULL; of them those of backends, threads and tol count (tol: with 1e-5 and more products may be in single
- *  precision). system is copied but for its pointers. No hardness counts. Errors: as rc_contact_create. */
+/** options may be NULL; those of backends, threads and tol are used (tol: with 1e-5 and more products may be in single
+ *  precision). system is copied, but not what its pointers refer to. A hardness has no effect. Errors: as rc_contact_create. */
 RC_API rc_status rc_product_create(const rc_system *system, const rc_options *options, rc_product **out);
 /** NULL: nothing happens. */
 RC_API void rc_product_destroy(rc_product *product);

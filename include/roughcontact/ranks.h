@@ -1,5 +1,5 @@
-/* roughcontact: one contact shared by many processes, each with some rows of the grid. This header knows no means of exchange: the
- * caller brings three functions. <roughcontact/mpi.h> brings those of MPI, and is what most programs include.
+/* roughcontact: one contact shared by many processes, each with some rows of the grid. This header has no means of exchange: the
+ * caller supplies three functions. <roughcontact/mpi.h> has those of MPI, and is what most programs include.
  *
  * Pressures and every number of a result are the same, bit for bit, for every number of processes and threads. */
 #ifndef ROUGHCONTACT_RANKS_H
@@ -63,7 +63,7 @@ RC_API rc_status rc_ranks_rows(int64_t rank, int64_t ranks, const rc_system *sys
  *  points to is copied. Errors: as rc_contact_create, EXTERNAL. */
 RC_API rc_status rc_ranks_contact_create(const rc_exchange *exchange, const rc_system *system, const rc_options *options,
                                          rc_ranks_contact **out);
-/** May be called by one rank alone. */
+/** One rank may call it without the others. */
 RC_API void rc_ranks_contact_destroy(rc_ranks_contact *contact);
 /** As rc_contact_solve, with local rows in step and result. What the result says besides p and gap is of the whole grid, and the
  *  same on every rank but for seconds. Errors: as rc_contact_solve, EXTERNAL. */

@@ -1,4 +1,4 @@
-/* roughcontact: contexts, and what there is: solvers, backends, kernels, options. */
+/* roughcontact: contexts, and the lists of solvers, backends, kernels and options. */
 #ifndef ROUGHCONTACT_REGISTRY_H
 #define ROUGHCONTACT_REGISTRY_H
 
@@ -21,7 +21,7 @@ typedef struct rc_context_config {
   uint32_t reserved;       /* 0                                                                                      */
   const char *plugin_path; /* ':'-separated absolute directories, searched before RC_PLUGIN_PATH and the
                               installed one; relative ones are refused; NULL: none; copied                           */
-  rc_log_fn log;           /* NULL: silent; the threads of a batch call it, too, and at the same time                */
+  rc_log_fn log;           /* NULL: silent; the threads of a batch call it as well, and at the same time             */
   void *log_user;
 } rc_context_config;
 #define RC_CONTEXT_CONFIG_INIT RC_BEGIN(rc_context_config)
@@ -77,7 +77,7 @@ RC_API rc_status rc_pair_supported(rc_context *context, const char *solver, cons
 RC_API rc_status rc_kernel_coefficients(const char *kernel, double hx, double hy, int64_t nx, int64_t ny, double *out);
 /** @} */
 
-/** @defgroup schema Schema: the options there are  @{ */
+/** @defgroup schema Schema: the list of options  @{ */
 /** The schema, 0 .. count-1: the core's keys, then those of every component. */
 RC_API int64_t rc_options_count(rc_context *context);
 RC_API rc_status rc_options_describe(rc_context *context, int64_t i, rc_option_spec *out);

@@ -8,7 +8,7 @@
  *
  * With a hardness c (rc_system.hardness) no pressure exceeds c: 0 <= p <= c, and where p = c the bodies may overlap, g <= 0. The
  * overlap -g is plastic: a certified step of a contact adds it to h for the steps that follow (see rc_contact_indentation), so
- * that unloading is elastic. A step's answer depends on the steps before it through this gap alone.
+ * that unloading is elastic. A step's answer depends on the steps before it only through this gap.
  *
  * This header is what a first program needs: a system, a step, a result. Others, each with all that it needs:
  *     history.h    loading histories, batches of contacts, restarts, coarse solutions
@@ -16,7 +16,7 @@
  *     analysis.h   area, patches, pressures and conductance of a contact
  *     law.h        contact laws: tables that are proven between their nodes
  *     direct.h     the paper's algorithms on a matrix, one call each
- *     registry.h   contexts, the components and options there are
+ *     registry.h   contexts, lists of components and options
  *     plugin.h     backends and solvers of your own           surface.h   generated surfaces, spectra (a library of its own)
  *
  * Conventions
@@ -33,13 +33,13 @@
  * Floating point: every function computes in the default mode (no traps, rounding to nearest, subnormal numbers) and then restores
  * the calling thread's mode and exception flags. The caller's own functions (apply, progress, log) run in the default mode.
  *
- * fork(): after a call only contacts with option threads above 1 keep threads, and OpenBLAS where it serves the backend cholmod
- * (docs/errors.md). A child may make contacts of its own; it must not use its parent's. It must not use the library at all if
- * another thread of the parent was inside it at the fork. Programs linked with -static have no plugins.
+ * fork(): after a call only contacts with option threads above 1 keep threads, and OpenBLAS if it serves the backend cholmod
+ * (docs/development/errors.md). A child may make contacts of its own; it must not use its parent's. It must not use the library at
+ * all if another thread of the parent was inside it at the fork. Programs linked with -static have no plugins.
  *
  * Structs: begin each with its RC_..._INIT macro, which sets struct_size. What has no sensible default is 0 there, and refused
  * until it is set. A smaller struct from an older header is accepted, a larger one from a newer header if the part unknown to the
- * library is all zero; else RC_ERR_ARGUMENT. This holds for structs that are written, too.
+ * library is all zero; else RC_ERR_ARGUMENT. This also holds for structs that are written.
  */
 #ifndef ROUGHCONTACT_H
 #define ROUGHCONTACT_H
@@ -148,8 +148,7 @@ typedef struct rc_array {
                           RC_SINGLE: float, in place of double                                                       */
   int32_t reserved;    /* 0                                                                                          */
   const char *memory;  /* where data lies. NULL: in the host's memory. "cuda" or another backend with a device: in that
-                          device's memory, from and to where values are copied once the device has done what it was given
-                          before                                                                                     */
+                          device's memory; values are copied after all earlier work on the device is done             */
 } rc_array;
 /** n values that the library reads. */
 typedef struct rc_const_array {
@@ -251,9 +250,9 @@ typedef struct rc_result {
                           least a quarter of the mean pressure times sqrt(hx hy) / E*; under approach control
                           without excluded points at most |mean(h) - d| / (2 tolerance). Hardness c: max over points
                           with g < 0 of min((c - p) / c, -g / s)                                                     */
-  double kkt_complementarity; /* max over all points of min(p / max p, |g| / s); hardness: where g < 0 (c - p) / c counts, too */
+  double kkt_complementarity; /* max over all points of min(p / max p, |g| / s); hardness: at g < 0 also (c - p) / c   */
   double kkt_control;  /* |load - W| / W, 0 in approach control                                                  */
-  double tolerance;    /* the kkt_* residuals were held to: tol, or accuracy/100 (area: /1000) if larger             */
+  double tolerance;    /* limit of the kkt_* residuals: tol, or accuracy/100 (area: /1000) if larger                 */
 
   /* Proof: intervals of the exact answer */
   double duality_gap;  /* energy - least energy is at most this [force length], see docs/certificate.md;
@@ -277,7 +276,7 @@ typedef struct rc_result {
   /* With a hardness */
   int64_t capped;      /* points with p = hardness; this and the next: 0 without a hardness                          */
   double plastic_volume; /* hx hy times the overlap of these points in this step [length^3]                          */
-  int64_t proven_capped; /* points proven to carry the hardness; counted in proven_contacts, too                     */
+  int64_t proven_capped; /* points proven to carry the hardness; also counted in proven_contacts                     */
 
   /* Work */
   int64_t points;      /* n, as given                                                                                */
@@ -295,25 +294,25 @@ typedef struct rc_result {
   char solver[32];     /* what "auto" resolved to                                                                    */
   char backend[32];
   char kernel[32];
-  char note[160];      /* what may be a blunder in units or heights, an unbounded interval, operations the core
-                          had to substitute and remarks of the solver, whole remarks only; "" if none                */
+  char note[160];      /* remarks: a probable mistake in units or heights, an unbounded interval, operations that the core
+                          replaced, remarks of the solver; whole remarks only; "" if none                           */
 } rc_result;
 #define RC_RESULT_INIT RC_BEGIN_WITH(rc_result, status = RC_ERR_ARGUMENT)
 
-/** Which grid an answer is of, and how far off the library estimates it to be. With RC_WITHIN_GOAL it is that of a coarser
- *  grid, whose cells are the means over blocks of 2^k by 2^k points. Then p is its answer after a few steps of a solve of the
- *  whole grid, p >= 0. Under load control p is scaled to the load asked for, and approach is an estimate: that at which the mean
- *  of the gap, weighted by p, vanishes. All else is computed from p on the whole grid. So are the kkt_* residuals, which then
- *  exceed the tolerance. Stiffness, solver, backend and tolerance are the coarser grid's.
- *  A stop among coarser grids gives the last that was solved: all points of a block have its pressure (so that the load is kept
- *  where a block is cut by the grid's end or the mask) and its gap (infinite: all masked); contacts, area, load are those of p,
- *  the rest the coarser grid's. */
+/** The grid of an answer, and its estimated errors. With RC_WITHIN_GOAL the answer comes from a coarser grid; each of its cells
+ *  averages a block of 2^k by 2^k points. p is then the coarser grid's answer after a few steps of a solve of the whole grid,
+ *  p >= 0. Under load control p is scaled to the prescribed load, and approach is an estimate: the one at which the mean of the
+ *  gap, weighted by p, vanishes. All else is computed from p on the whole grid, also the kkt_* residuals, which then exceed the
+ *  tolerance. Stiffness, solver, backend and tolerance are those of the coarser grid.
+ *  If the step stops on a coarser grid, the last solved grid is returned: all points of a block have its pressure (which keeps the
+ *  load if the grid's end or the mask cuts a block) and its gap (infinite: all masked); contacts, area and load are those of p, the
+ *  rest that of the coarser grid. */
 typedef struct rc_accuracy {
   size_t struct_size;
   int64_t model_nx, model_ny; /* points of the grid that was solved: nx and ny, or a coarser one's                   */
-  double error_estimate; /* with option accuracy: estimated relative error of what it is of, against the answer on
-                            the whole grid; 0 on it; NaN without, and where a coarser grid was stopped at            */
-  double area_estimate;  /* likewise of contact_area; a goal of the load does not bound it                           */
+  double error_estimate; /* with option accuracy: estimated relative error of the load or area that accuracy.of names, against
+                            the answer on the whole grid; 0 on it; NaN without, and if a step stopped on a coarser grid */
+  double area_estimate;  /* the same for contact_area; a goal of the load does not bound it                          */
   double left_out;       /* rms of the undeformed gap less its block's mean, over the points in contact [length]; 0 on the
                             whole grid                                                                               */
 } rc_accuracy;
@@ -344,7 +343,7 @@ typedef struct rc_accuracy {
 
 /** context NULL: the default context. */
 RC_API rc_status rc_options_create(rc_context *context, rc_options **out);
-/** Options of their own with the same values, in the same context. */
+/** A copy with the same values, in the same context. */
 RC_API rc_status rc_options_copy(const rc_options *options, rc_options **out);
 RC_API void rc_options_destroy(rc_options *options);
 /** Errors: OPTION with the nearest key, the type or the range in the message. A dotted key loads its component. */
@@ -384,15 +383,15 @@ RC_API rc_status rc_contact_solve(rc_contact *contact, const rc_step *step, rc_r
 /** Certifies the pressures that the caller puts in result->p ([n]) for this step:
  *  nothing is solved. In load control the approach is the one that fits them best. RC_OK or RC_UNCERTIFIED. */
 RC_API rc_status rc_contact_certify(rc_contact *contact, const rc_step *step, rc_result *result);
-/** Which grid the last step's answer is of, and its estimated errors. An rc_history_fn may call it for the step that it is
- *  told of. Errors: ARGUMENT (no answer: no step yet, or it failed), BUSY. */
+/** The grid of the last step's answer, and its estimated errors. An rc_history_fn may call it for the step that it
+ *  receives. Errors: ARGUMENT (no answer: no step yet, or it failed), BUSY. */
 RC_API rc_status rc_contact_accuracy(rc_contact *contact, rc_accuracy *out);
 /** The contact set of the last step that was certified or within its goal, without arrays over all points: *n = how many
  *  points carry pressure (0: none, or no such step); the first `room` of them, point numbers iy*nx + ix in ascending order
  *  and pressures [force/length^2], into index and p [room], either of which may be NULL. An rc_history_fn may call it for the
- *  step that it is told of. Errors: ARGUMENT, BUSY. */
+ *  step that it receives. Errors: ARGUMENT, BUSY. */
 RC_API rc_status rc_contact_points(rc_contact *contact, int64_t room, int64_t *index, double *p, int64_t *n);
-/** Changes what may change (not keys marked fixed whose value differs: OPTION). Errors: OPTION, BUSY. */
+/** Changes options; a key marked fixed must keep its value (else OPTION). Errors: OPTION, BUSY. */
 RC_API rc_status rc_contact_set_options(rc_contact *contact, const rc_options *options);
 /** Calls fn on the solving thread at least every `every` iterations (>= 1). fn NULL: none. fn may call only
  *  rc_contact_cancel, and must return: no exception and no longjmp may leave it. Errors: ARGUMENT, BUSY. */
@@ -400,7 +399,7 @@ RC_API rc_status rc_contact_on_progress(rc_contact *contact, rc_progress_fn fn, 
 /** Stops the running solve soon, or the next one if none runs. Any thread, or a signal handler. NULL ignored. */
 RC_API void rc_contact_cancel(rc_contact *contact);
 /** Why "auto" chose what it did in the last step on the given grid: a line for each solver and backend with the seconds and
- *  bytes that they say they need, or the reason why they cannot. *out: "" where no step has needed a solver; lives until the
+ *  bytes that they estimate, or the reason why they cannot. *out: "" if no step has needed a solver; lives until the
  *  contact is next used or destroyed. Errors: ARGUMENT, MEMORY, BUSY. */
 RC_API rc_status rc_contact_explain(rc_contact *contact, const char **out);
 /** Forgets the surface, its plastic indentation, last pressures and factors; keeps plans and tables of transforms. Errors: BUSY. */

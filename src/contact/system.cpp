@@ -11,12 +11,14 @@
 
 #include "core/error.h"
 #include "core/grid.h"
+#include "kernel/semi_periodic.h"
 
 namespace rc {
 
 namespace {
 
 constexpr double longest_cell = 1e150;  // over its width
+constexpr double longest_strip = 1e4;   // a semi-periodic grid's cells over its period
 constexpr double symmetric = 1e-12;     // largest |H_ij - H_ji| relative to the largest entry
 
 const Component<rc_kernel>& resolved_kernel(const System& checked, const rc_options& options) {
@@ -34,6 +36,13 @@ const Component<rc_kernel>& resolved_kernel(const System& checked, const rc_opti
     fail(RC_ERR_INCOMPATIBLE, "kernel \"", kernel.name, "\" needs square cells, hx = ", system.hx, " and hy = ", system.hy,
          " differ; use love or galerkin");
   return found;
+}
+
+// Images of a cell are summed up to some times its length.
+void check_strip(const kernel::Strip& strip) {
+  if (!(strip.h_across <= longest_strip * strip.period()))
+    fail(RC_ERR_ARGUMENT, "cells are ", strip.h_across / strip.period(), " times as long as the period of the grid, ",
+         strip.period(), ", at most ", longest_strip, " times with RC_BOUNDARY_PERIODIC_X or _Y; use shorter cells");
 }
 
 void probe_dense(System& result) {
@@ -143,6 +152,7 @@ System checked_system(const rc_system& system, const rc_options& options, bool p
       if (!(system.hx / system.hy < longest_cell && system.hy / system.hx < longest_cell))
         fail(RC_ERR_ARGUMENT, "cells of hx = ", system.hx, " by hy = ", system.hy, " are more than ", longest_cell,
              " times as long as wide: their influence coefficients are beyond double precision");
+      if (result.semi_periodic()) check_strip(kernel::strip_of(system));
       const double cell = std::sqrt(system.hx) * std::sqrt(system.hy);
       const auto& kernel = resolved_kernel(result, options);
       result.kernel.name = kernel.vtable.name;

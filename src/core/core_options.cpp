@@ -12,36 +12,37 @@ constexpr rc_option_spec fixed(rc_option_spec spec) {
 }
 
 constexpr rc_option_spec core_specs[] = {
-    text_option(RC_OPT_SOLVER, "auto", nullptr, "solver by name; auto: the one that needs least time, by its own estimate"),
+    text_option(RC_OPT_SOLVER, "auto", nullptr, "solver by name; auto: the one with the least estimated time"),
     text_option(RC_OPT_BACKEND, "auto", nullptr,
-                "backend by name, or a preference list \"a,b\"; auto: the one that needs least time, by its own estimate"),
+                "backend by name, or a preference list \"a,b\"; auto: the one with the least estimated time"),
     fixed(text_option(RC_OPT_KERNEL, "auto", nullptr,
                       "influence kernel by name; auto is love for free and spectral for periodic boundaries")),
-    real_option(RC_OPT_TOL, "1e-8", 1e-16, 0.1, "largest relative residual of a certified answer"),
+    real_option(RC_OPT_TOL, "1e-8", 1e-16, 0.1, "convergence tolerance: the largest relative residual of a certified answer"),
     int_option(RC_OPT_MAX_ITER, "10000", 1, 1e9, "iterations of the solver after which it stops"),
     real_option(RC_OPT_TIME_LIMIT, "0", 0, 1e9, "seconds after which a step stops; 0: no limit"),
     fixed(int_option(
         RC_OPT_THREADS, "1", 1, 1024,
-        "threads that a contact may use, or a batch of contacts; unless it is set, the command and Python take every core "
-        "that pays")),
+        "threads that a contact may use, or a batch of contacts; the command and Python set one for each 16384 points, up to all "
+        "cores")),
     fixed(int_option(RC_OPT_DETERMINISTIC, "1", 0, 1,
                      "1: the same bits in every run and for every number of threads; 0: components may trade them for speed")),
     int_option(RC_OPT_STIFFNESS, "0", 0, 2,
                "1: compute dW/dd of the contact set, one more linear solve; 2: prove an interval of it, up to two more"),
     int_option(RC_OPT_ALLOW_FALLBACK, "1", 0, 1,
-               "1: the core may replace an operation that a backend lacks by a slower one, named in the result"),
+               "1: the core may replace an operation that a backend lacks by a slower one, which the note of the result names"),
     text_option(RC_OPT_WARMUP, "none", nullptr, "solver that runs first, for warmup.iterations; none: no warm-up"),
     int_option(RC_OPT_WARMUP_ITERATIONS, "50", 1, 1e9, "iterations of the warm-up"),
     int_option(RC_OPT_RESUMABLE, "0", 0, 1,
-               "1: a step depends on the last two certified ones alone, so that rc_contact_restore continues with the same bits; "
-               "factors and other leftovers of earlier steps are made anew"),
+               "1: a step depends only on the last two certified ones, so that rc_contact_restore continues with the same bits; "
+               "factors of earlier steps are made anew"),
     int_option(RC_OPT_BOUNDS, "1", 0, 1, "1: prove intervals for load and contact area from the duality gap"),
     fixed(real_option(
         RC_OPT_ACCURACY, "0", 0, 0.5,
-        "relative error that load or area may have: a coarser grid is solved where that will do, to a hundredth of it at "
-        "most; 0: the given grid to tol")),
-    fixed(text_option(RC_OPT_ACCURACY_OF, "load", "load|area",
-                      "what accuracy is of; in load control, load: the load that belongs to the approach found")),
+        "accepted relative error of load or area: a coarser grid is used if its estimated error is below this, and no grid is "
+        "solved to more than a hundredth of it; 0: solve the given grid to tol")),
+    fixed(text_option(
+        RC_OPT_ACCURACY_OF, "load", "load|area",
+        "the quantity whose error accuracy bounds; load, in load control: the load that belongs to the approach found")),
     text_option(RC_OPT_CERTIFY_BACKEND, "", nullptr, "backend for the certificate's product; empty: the solving one"),
 };
 

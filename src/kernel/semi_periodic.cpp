@@ -10,7 +10,6 @@
 #include <numbers>
 #include <vector>
 
-#include "core/error.h"
 #include "kernel/kernels.h"
 #include "kernel/lowest_eigenvalue.h"
 
@@ -21,11 +20,10 @@ namespace {
 using std::numbers::egamma;
 using std::numbers::pi;
 
-constexpr double longest_decay = 38;     // waves that have decayed by exp(-38) are nothing
-constexpr double nearest = 1.0 / 3;      // of the period: images are summed nearer, waves farther away
-constexpr std::int64_t least_images = 4; // on either side
-constexpr double clearance = 8;          // images are summed up to this many times the farthest point of the cells at hand
-constexpr double most_images = 1e5;
+constexpr double longest_decay = 38;         // waves that have decayed by exp(-38) are nothing
+constexpr double nearest = 1.0 / 3;          // of the period: images are summed nearer, waves farther away
+constexpr std::int64_t least_images = 4;     // on either side
+constexpr double clearance = 8;              // images are summed up to this many times the farthest point of the cells at hand
 constexpr double below_rounding = 1 - 1e-6;  // round-off of the coefficients moves eigenvalues by far less
 
 // The mean of ln(R/|y - t|) over a cell's width h around t = 0.
@@ -209,11 +207,7 @@ class Rows {
   void from_images(std::int64_t iy, double y, std::int64_t first, std::int64_t count, double* out) {
     const std::int64_t n = strip_.n_along;
     const double L = strip_.period(), reach = std::hypot((L + strip_.h_along) / 2, y + strip_.h_across / 2);
-    const double wanted = std::ceil(clearance * reach / L) - 1;
-    if (wanted > most_images)
-      fail(RC_ERR_ARGUMENT, "cells of ", strip_.h_across, " by ", strip_.h_along, " are ", strip_.h_across / L,
-           " times as long as the period, ", L, ": too long for a boundary that repeats; use shorter cells");
-    const auto images = std::max(least_images, static_cast<std::int64_t>(wanted));
+    const auto images = std::max(least_images, static_cast<std::int64_t>(std::ceil(clearance * reach / L)) - 1);
     const FarImages& far = beyond(images);
     const FarImages::Row powers = far.row(y);
     // Offsets i and n - i are the same.

@@ -1,7 +1,8 @@
 // Grids that repeat along one axis only: kernels love and spectral.
 //
 // Let the grid repeat along x with the period L, and let q = F/L be the force of one period over its length. Far from it the
-// deflection is that of a line load, 2 q / (pi E*) ln(R/|y|): known but for the distance R at which it counts as 0. Here R = nx hx
+// deflection is that of a line load, 2 q / (pi E*) ln(R/|y|): known but for the distance R at which it counts as 0. Here R = nx
+// hx
 // + ny hy, which makes the coefficients of love positive and the matrix positive definite on the grid.
 // A unit force at the origin and its images deflect, times pi E*,
 //   2/L ln(R/|y|) + 4/L sum over k >= 1 of K0(q_k |y|) cos(q_k x),  q_k = 2 pi k / L.
@@ -26,7 +27,8 @@ struct Strip {
 // Of a grid with RC_BOUNDARY_PERIODIC_X or _Y.
 Strip strip_of(const rc_system& grid);
 
-// Coefficients of love or spectral at the offsets of a window, as window_coefficients() of free boundaries. Throws Error(ARGUMENT).
+// Coefficients of love or spectral at the offsets of a window, as window_coefficients() of free boundaries. Throws
+// Error(ARGUMENT).
 void semi_periodic_coefficients(const Kernel&, const rc_system& grid, const Window&, double* out);
 
 // With love and spectral x'Hx is at least this times x'Gx for every x, where G is the matrix of galerkin on the same strip.

@@ -208,7 +208,7 @@ constexpr rc_option_spec greedy_inner =
     text_option("greedy.inner", "cg", "cg|gauss-seidel|cholesky",
                 "how each set is solved; gauss-seidel stores the matrix, of at most 4096 candidates");
 constexpr rc_option_spec repair =
-    int_option("greedy.repair", "0", 0, 1, "1: where dropped points overlap, nnls goes on from the contact set found");
+    int_option("greedy.repair", "0", 0, 1, "1: if dropped points overlap, nnls continues from the contact set found");
 const rc_option_spec* const greedy_specs[] = {&greedy_inner, &repair};
 
 }  // namespace

@@ -112,8 +112,7 @@ Field influence_matrix(const Problem& problem) {
   for (std::int64_t iy = 0; iy < s.ny; ++iy)
     for (std::int64_t ix = 0; ix < s.nx; ++ix)
       table[static_cast<std::size_t>(iy * s.nx + ix)] =
-          (problem.periodic()
-               ? periodic_coefficient(s, ix, iy)
+          (problem.periodic() ? periodic_coefficient(s, ix, iy)
            : problem.semi_periodic()
                ? semi_periodic_table(s)[static_cast<std::size_t>(iy * s.nx + ix)]
                : coefficient(problem.kernel, static_cast<double>(ix) * s.hx, static_cast<double>(iy) * s.hy, s.hx, s.hy)) /

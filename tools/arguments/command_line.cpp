@@ -11,15 +11,15 @@ namespace cli {
 namespace {
 
 constexpr const char* solve_help = R"(
-Lengths, pressures and forces may have a unit with any SI prefix: 39nm, 210GPa, 1mN. Numbers alone are in m (or --unit, as are
-the lengths of files that name no unit), Pa and N. Results are in m, Pa and N.
+Lengths, pressures and forces may have a unit with any SI prefix: 39nm, 210GPa, 1mN. Numbers without a unit are in m (or --unit,
+as are lengths in files without a unit), Pa and N. Results are in m, Pa and N.
 
-A target is a number, a list a,b,c, a range a:b:n of n points or a:b:nlog of n points with equal ratios. The highest point of the surface touches first; the approach is
-counted from there. E* is E/(1-nu^2), or with
---E2 and --nu2 1/((1-nu^2)/E + (1-nu2^2)/E2).
+A target is a number, a list a,b,c, a range a:b:n of n points or a:b:nlog of n points with equal ratios. The highest point of
+the surface touches first; the approach is counted from there. E* is E/(1-nu^2), or with --E2 and --nu2 1/((1-nu^2)/E +
+(1-nu2^2)/E2).
 
-Exit code: 0 every step is certified, 1 wrong input or a failed call, 2 a step is not certified (its results are written, marked by
-their status), 130 interrupted (a second signal ends it at once). With --resume an interrupted history goes on.
+Exit code: 0 every step is certified, 1 wrong input or a failed call, 2 a step is not certified (its results are written, marked
+by their status), 130 interrupted (a second signal ends it at once). --resume continues an interrupted history.
 )";
 
 Command solve_command(SolveArguments& arguments) {
@@ -36,14 +36,15 @@ Command solve_command(SolveArguments& arguments) {
        {"--no-maps", &arguments.no_maps, "", "Only summary.json, steps.csv and history.png: no arrays, no pictures of steps"},
        {"--write", &arguments.write, "FORMATS", "Each step also as a file of these: vti, netcdf, hdf5"}});
   add_resume(solve, arguments);
-  solve.add("Output", {{"--explain", &arguments.explain, "", "Say why auto chose its solver and backend"}});
+  solve.add("Output", {{"--explain", &arguments.explain, "", "Print why auto chose its solver and backend"}});
   add_quiet(solve, arguments);
   return solve;
 }
 
 constexpr const char* generate_help = R"(
-Lengths may have a unit, 39nm; numbers alone are in --unit. A .gsf file is in metres (float32); a .npy file (float64) is in --unit and does not say its pitch: give the
-same --unit and --pitch where it is read. The same arguments give the same surface at every call.
+Lengths may have a unit, 39nm; numbers without one are in --unit. A .gsf file is in metres (float32). A .npy file (float64) is
+in --unit and does not store its pitch: give the same --unit and --pitch when you read it. The same arguments give the same
+surface at every call.
 )";
 
 constexpr std::pair<const char*, const char*> generate_kinds[] = {
@@ -64,7 +65,7 @@ Command generate_command(GenerateArguments& arguments) {
       {"", {"--output", &arguments.output, "FILE", "File to write, .npy or .gsf"}},
       {"spectral sphere waves pyramids noise", {"--size", &arguments.size, "N or NX,NY", "Grid points (default 256)"}},
       {"rmd", {"--levels", &arguments.levels, "K", "2^K points a side (default 8)"}},
-      {"rmd", {"--stage", &arguments.stage, "S", "The coarser grid of 2^S points a side of the same surface"}},
+      {"rmd", {"--stage", &arguments.stage, "S", "Write the coarser grid of 2^S points a side of the same surface"}},
       {"", {"--pitch", &arguments.pitch, "H or HX,HY", "Cell size (default 1; rmd: of the finest grid)"}},
       {"", {"--unit", &arguments.unit, "UNIT", "Unit of .npy files and of lengths without one: m (default), mm, um, nm, pm"}},
       {"rmd spectral noise", {"--seed", &arguments.seed, "N", "Random seed (default 1)"}},
@@ -95,12 +96,13 @@ Command generate_command(GenerateArguments& arguments) {
 Command analyze_command(AnalyzeArguments& arguments) {
   Command analyze{"analyze", "Roughness parameters and spectrum of a surface, and advice on cmr"};
   add_surface(analyze, arguments.surface, "Missing points: reject (default) or fill (interpolate)");
-  analyze.add("Options",
-              {{"--periodic", &arguments.periodic, "", "The surface repeats: no window, only the mean is removed"},
-               {"--levels", &arguments.levels, "K", "Halvings of the grid to judge cmr for, 4"},
-               {"--approach", &arguments.approach, "LENGTH", "Approach to judge cmr for; half the highest point's height"},
-               {"--json", &arguments.json, "FILE", "Write all numbers and the spectrum"},
-               {"--picture", &arguments.picture, "FILE", "Draw the spectrum with the fitted range (PNG, needs gnuplot)"}});
+  analyze.add(
+      "Options",
+      {{"--periodic", &arguments.periodic, "", "The surface repeats: no window, only the mean is removed"},
+       {"--levels", &arguments.levels, "K", "Halvings of the grid for the advice on cmr (default 4)"},
+       {"--approach", &arguments.approach, "LENGTH", "Approach for the advice on cmr (default half the highest point's height)"},
+       {"--json", &arguments.json, "FILE", "Write all numbers and the spectrum"},
+       {"--picture", &arguments.picture, "FILE", "Draw the spectrum with the fitted range (PNG, needs gnuplot)"}});
   return analyze;
 }
 

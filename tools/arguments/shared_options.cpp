@@ -6,10 +6,9 @@ void add_surface(Command& command, SurfaceArguments& surface, const char* missin
   const char* const file_help = rows ? "File of heights, .npy" : "File of heights, see roughcontact formats";
   command.options.push_back({"SURFACE", &surface.file, "TEXT", file_help});
   if (!rows) {
-    command.add("Surface",
-                {{"--format", &surface.format, "NAME", "Format of the file, where contents and extension do not say it"}});
+    command.add("Surface", {{"--format", &surface.format, "NAME", "File format, if neither contents nor extension show it"}});
   }
-  command.add("Surface", {{"--pitch", &surface.pitch, "H or HX,HY", "Cell size, where the file does not say it"},
+  command.add("Surface", {{"--pitch", &surface.pitch, "H or HX,HY", "Cell size, if the file has none"},
                           {"--unit", &surface.unit, "UNIT", "Unit of lengths without one: m (default), mm, um, nm, pm"},
                           {"--missing", &surface.missing, "RULE", missing_help}});
   if (!rows) {
@@ -33,9 +32,9 @@ void add_elasticity(Command& command, SolveArguments& arguments) {
               {{"--modulus", &arguments.modulus, "E*", "Contact modulus"},
                {"--E", &arguments.young, "E", "Young's modulus"},
                {"--nu", &arguments.poisson, "NU", "Poisson's ratio"},
-               {"--E2", &arguments.young2, "E", "Young's modulus of the other body; rigid without"},
+               {"--E2", &arguments.young2, "E", "Young's modulus of the other body (default: rigid)"},
                {"--nu2", &arguments.poisson2, "NU", "Poisson's ratio of the other body"},
-               {"--hardness", &arguments.hardness, "H", "Largest pressure; above it the surface yields. None: elastic"}});
+               {"--hardness", &arguments.hardness, "H", "Largest pressure; above it the surface yields (default: elastic)"}});
 }
 
 void add_loading(Command& command, SolveArguments& arguments) {
@@ -64,8 +63,7 @@ void add_method(Command& command, SolveArguments& arguments, const char* threads
 }
 
 void add_resume(Command& command, SolveArguments& arguments) {
-  command.add("Output",
-              {{"--resume", &arguments.resume, "", "Go on after the steps that an earlier run into --out has finished"}});
+  command.add("Output", {{"--resume", &arguments.resume, "", "Continue after the steps that an earlier run finished in --out"}});
 }
 
 void add_quiet(Command& command, SolveArguments& arguments) {

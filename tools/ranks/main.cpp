@@ -21,12 +21,12 @@ const char command_name[] = "roughcontact-mpi";
 namespace {
 
 constexpr const char* help = R"(
-Started by mpirun. Every rank reads and writes its rows of the files. Lengths, pressures and forces may have a unit with any SI prefix:
-39nm, 210GPa, 1mN. Numbers alone are in m (or --unit), Pa and N. A target is a number, a list a,b,c or a range a:b:n of n points
-or a:b:nlog of n points with equal ratios.
+Started by mpirun. Every rank reads and writes its rows of the files. Lengths, pressures and forces may have a unit with any SI
+prefix: 39nm, 210GPa, 1mN. Numbers without a unit are in m (or --unit), Pa and N. A target is a number, a list a,b,c or a range
+a:b:n of n points or a:b:nlog of n points with equal ratios.
 
 Exit code, on every rank: 0 every step is certified, 1 wrong input or a failed call, 2 a step is not certified (its results are
-written, marked by their status). A run that was ended goes on with --resume.
+written, marked by their status). --resume continues an interrupted run.
 )";
 
 cli::Command whole_command(cli::RankArguments& arguments) {

@@ -33,9 +33,9 @@ constexpr std::string_view unknown[] = {"corrected_area", "patches",  "largest_p
 class Run {
  public:
   Run(const Communicator& ranks, const RankArguments& arguments) : ranks_(ranks), arguments_(arguments.solve) {
-    if (arguments_.resume && !arguments_.out) throw Error("--resume goes on in the folder of --out, which is missing");
+    if (arguments_.resume && !arguments_.out) throw Error("--resume needs --out, the folder of the interrupted run");
     if (arguments.checkpoint) {
-      if (!arguments_.out) throw Error("--checkpoint writes into the folder of --out, which is missing");
+      if (!arguments_.out) throw Error("--checkpoint needs --out, the folder for its files");
       const auto given = to_integer(*arguments.checkpoint);
       if (!given || *given < 1)
         throw Error("--checkpoint: ", in_quotes(*arguments.checkpoint), " is no number of iterations, give 1 or more");
@@ -92,7 +92,8 @@ class Run {
     begun_ = *iterations;
     fields_.pressure = std::move(pressure);
     started_ = true;
-    if (ranks_.first()) report(format("--resume: step %zu goes on after %lld iterations", next, static_cast<long long>(begun_)));
+    if (ranks_.first())
+      report(format("--resume: step %zu continues after %lld iterations", next, static_cast<long long>(begun_)));
   }
 
   std::string file(const char* stem, std::size_t number) const {

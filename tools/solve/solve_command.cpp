@@ -65,15 +65,15 @@ void report_uncertified(const Problem& problem, const StepRecord& step) {
 }
 
 void check_output(const SolveArguments& arguments) {
-  const std::pair<bool, const char*> uses[] = {{arguments.resume, "--resume goes on in the folder of --out"},
-                                               {arguments.write.has_value(), "--write puts its files into the folder of --out"},
-                                               {arguments.no_maps, "--no-maps is about the folder of --out"}};
+  const std::pair<bool, const char*> uses[] = {{arguments.resume, "--resume needs --out, the folder of the interrupted run"},
+                                               {arguments.write.has_value(), "--write needs --out, the folder for its files"},
+                                               {arguments.no_maps, "--no-maps needs --out, the folder that it keeps small"}};
   for (const auto& [used, what] : uses) {
-    if (used && !arguments.out) throw Error(what, ", which is missing");
+    if (used && !arguments.out) throw Error(what);
   }
   if (!arguments.no_maps) return;
   if (arguments.write) throw Error("give either --write or --no-maps, not both");
-  if (arguments.resume) throw Error("--resume goes on from the pressures in the folder of --out, which --no-maps leaves out");
+  if (arguments.resume) throw Error("--resume needs the pressures in the folder of --out, which --no-maps leaves out");
 }
 
 }  // namespace

@@ -19,9 +19,9 @@ class Gradient:
     """How a number J that follows from a step's answer changes with the step's data.
 
     gap: by each value of the undeformed gap, of the grid's shape; by a height it is the opposite, as long as the highest point
-        stays where it is
-    target: by the approach or the load; modulus: by E*, NaN where the system has none
-    error: the Euclidean norm of what the solves leave wrong in gap is at most this; NaN where no bound is known
+        does not move
+    target: by the approach or the load; modulus: by E*, NaN if the system has none
+    error: bound of the Euclidean norm of the error in gap; NaN if no bound is known
     undecided: points neither proven to be in contact nor to be open, whose derivatives are one-sided; -1: nothing is proven
     products: with H
     """

@@ -28,7 +28,7 @@ def is_file(thing: Any) -> bool:
 
 @dataclass(frozen=True)
 class Format:
-    """A format that `read` knows. suffixes: of files' names; says: what such a file tells of its lengths."""
+    """A format that `read` reads. suffixes: of files' names; says: the lengths that such a file contains."""
 
     name: str
     summary: str
@@ -37,7 +37,7 @@ class Format:
 
 
 def formats() -> List[Format]:
-    """The formats that `read` knows without the help of other packages."""
+    """The formats that `read` reads without other packages."""
     library, found = formats_library(), []
     for index in range(library.rc_surface_format_count()):
         each = rc_surface_format()
@@ -52,12 +52,12 @@ def read(file: File, *, pitch: Optional[Pitch] = None, unit: Optional[str] = Non
     """A surface from a file; heights and pitch in metres, NaN where a point is missing.
 
     file: a path, an open binary file, or the bytes of one
-    pitch: one number or (hx, hy) [unit]; needed where the file does not say it, else in the place of the file's
+    pitch: one number or (hx, hy) [unit]; needed if the file has none, otherwise replaces the file's
     unit: of lengths whose unit the file does not name, and of pitch: "um"; None: "m"
     format: one of `formats()`, or one of the package SurfaceTopography ("opd"); None: by the contents, else by the suffix
 
-    `assumed` of the surface says what the file leaves open. A file whose suffix or format is none of `formats()` is handed to the
-    package SurfaceTopography, where it is installed; `assumed` then says that, too.
+    `assumed` of the surface lists what the file leaves open. A file whose suffix or format is none of `formats()` is read by the
+    package SurfaceTopography if it is installed; `assumed` then says so as well.
     """
     return surface_in(file, pitch, unit, format)
 

@@ -31,7 +31,7 @@ class Surface:
     pitch: (hx, hy) distance of neighbouring points along the last and along the first axis [length]; one number for both
     periodic: True: the surface repeats; False: it ends at its edges; None: not known
     mask: [ny, nx] 0 where a point is missing; None: all are there
-    unit: of all lengths, where it is known ("um")
+    unit: of all lengths, if it is known ("um")
     assumed: what a file leaves open and how it was taken; "" for surfaces that were not read
     """
 
@@ -128,8 +128,8 @@ class Surface:
 
     def save(self, path: Union[str, "os.PathLike[str]"]) -> None:
         """Writes a file that `read` reads, by the suffix: ".nc" with pitch, unit, missing points and whether the surface repeats;
-        ".gsf" the same with heights in single precision; ".npy" the heights alone, NaN where a point is missing. The file is whole
-        or not there."""
+        ".gsf" the same with heights in single precision; ".npy" only the heights, NaN at missing points. The file is whole or
+        absent."""
         save_surface(os.fspath(path), np.atleast_2d(self._known()), self.pitch, self.unit, self.periodic)
 
     def __repr__(self) -> str:

@@ -107,31 +107,29 @@ def solve(
     load: normal force [force]
     pressure: load over the area of the grid [force/length^2]
     undeformed_gap: the undeformed gap [ny, nx] instead of heights [length]; also an array on a device, see `Contact.solve`
-    mask: [ny, nx], 0 where a point carries no pressure; its height may then be anything. None: every point may
+    mask: [ny, nx], 0 at points that carry no pressure and whose heights are ignored. None: all points may carry pressure
     missing: what is done with masked or NaN heights: "reject", "exclude" (they carry no pressure) or "fill" (interpolated)
     start: pressures [ny, nx] to begin with [force/length^2]; None: the solver's
     want_pressure: whether the result holds the pressures [ny, nx]
     want_gap: whether it holds the deformed gap [ny, nx]; without it sparse contact on a large grid costs no more than the contact
     check: whether a stop before the tolerance raises `NotCertifiedError`, which has the result; otherwise look at its status.
         Status.WITHIN_GOAL never raises
-    system: in the place of pitch, modulus, boundary, unit and hardness: a `HalfSpace`, `Matrix` or `Product`
-    pitch: distance of neighbouring points, one number or (hx, hy) with hx along the last axis [length]; a surface brings its
-        own
+    system: replaces pitch, modulus, boundary, unit and hardness: a `HalfSpace`, `Matrix` or `Product`
+    pitch: distance of neighbouring points, one number or (hx, hy) with hx along the last axis [length]; a surface has its own
     modulus: contact modulus E* = 1/((1-nu1^2)/E1 + (1-nu2^2)/E2) [force/length^2]
-    E, nu: in the place of modulus: Young's modulus [force/length^2] and Poisson's ratio of the one body that is elastic, or two
-        each
+    E, nu: replace modulus: Young's modulus [force/length^2] and Poisson's ratio of the one body that is elastic, or two each
     boundary: "periodic": the map is a sample of a larger surface; "free": the body ends at the map's edges; "periodic-x",
         "periodic-y": it repeats along this axis only; None: as the surface says, else periodic, with an `AssumedBoundary` warning
-    unit: the lengths of a surface that knows its unit are converted to this one first ("m"); None: they stay
+    unit: converts the lengths of a surface that has a unit to this one ("m"); None: they stay
     hardness: the largest pressure [force/length^2], see `HalfSpace`; None: none
     against: heights of the other body on the same grid, which are added: a `Surface`, a file or an array
-    shape: put on at last: "sphere:R=1mm", "cylinder:R=1mm,axis=x" or "wedge:angle=5deg,axis=x", in the middle of the grid, or a
-        `Surface`
-    remove: the form that is taken off before, over the points that are there: "mean", "plane" or "quadric"; None: none
+    shape: nominal shape, added last: "sphere:R=1mm", "cylinder:R=1mm,axis=x" or "wedge:angle=5deg,axis=x", in the middle of the
+        grid, or a `Surface`
+    remove: form that is subtracted before, fitted to the points that are not missing: "mean", "plane" or "quadric"; None: none
     options: {"tol": 1e-6, "fft.precision": "single"} and the like, see `roughcontact.options()`; the same as keywords, with _ for
         dots and hyphens: tol=1e-6, fft_precision="single"
     progress: True: a bar of the package tqdm. Or a function, called with a `Progress` at least every `every` iterations on the thread
-        that solves; where it returns True, the step ends with Status.STOP_CANCELLED
+        that solves; if it returns True, the step ends with Status.STOP_CANCELLED
     every: iterations between two calls of progress
     context: a registry of backends, solvers and kernels of its own; None: the default one
     """

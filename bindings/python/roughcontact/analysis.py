@@ -1,5 +1,5 @@
-"""What a contact looks like: area, patches, pressures and crossing. Functions of pressures alone, yours or a `Result`'s, which has them
-as methods.
+"""Analysis of a contact: area, patches, distribution of pressure, percolation. Functions of pressures, yours or a `Result`'s,
+which has them as methods.
 
 A point is in contact where its pressure is positive. periodic joins opposite sides of the grid: True: all, "x" or
 "y": those of this axis.
@@ -37,7 +37,7 @@ def __dir__() -> Sequence[str]:
 
 @dataclass(frozen=True)
 class Area:
-    """contacts: points; area, corrected_area: the latter less what cells at the border add [length^2]; perimeter [length]"""
+    """contacts: points; area; corrected_area: corrected for partly covered cells [length^2]; perimeter [length]"""
 
     contacts: int
     area: float
@@ -100,7 +100,7 @@ class Crossing:
 
 @dataclass(frozen=True)
 class Conductance:
-    """Of a contact; the exact one lies between lower and upper, NaN unless option stiffness is 2."""
+    """Conductance of a contact; the exact one lies between lower and upper, NaN unless option stiffness is 2."""
 
     value: float
     lower: float
@@ -125,7 +125,7 @@ def _grid(pressure: ArrayLike, pitch: Pitch, periodic: Repeats, mask: Optional[A
 
 
 def area(pressure: ArrayLike, *, pitch: Pitch, periodic: Repeats = False, mask: Optional[ArrayLike] = None) -> Area:
-    """Area, perimeter, and the area corrected for the grid.
+    """Area, perimeter, and the area corrected for partly covered cells.
 
     pressure: [ny, nx] >= 0 [force/length^2]; pitch: one number or (hx, hy) [length]; mask: 0: not in contact, whatever its
         pressure

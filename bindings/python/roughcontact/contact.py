@@ -90,12 +90,12 @@ class Contact(Handle):
     system: `HalfSpace`, `Matrix` or `Product`
     options: see `roughcontact.options()`; those that are fixed cannot be changed later. keywords: as in `solve`
     progress: True: a bar of the package tqdm, over the iterations of a step or the steps of a history. Or a function, called with a
-        `Progress` at least every `every` iterations, on the thread that solves, which is not the main one; where it returns
+        `Progress` at least every `every` iterations, on the thread that solves, which is not the main one; if it returns
         True, the step ends with Status.STOP_CANCELLED; an exception ends it and is raised by the call
     context: a registry of its own
 
-    A context manager; `close` frees what it holds. One thread at a time may use it (`BusyError`), `cancel` may be called by
-    any.
+    A context manager; `close` frees its memory. Only one thread at a time may use it (else `BusyError`); any thread may call
+    `cancel`.
     """
 
     def solve(
@@ -121,7 +121,7 @@ class Contact(Handle):
         heights: a `Surface`, a topography, or an array of the system's shape; the highest point touches at approach 0
             [length]
         undeformed_gap: the undeformed gap instead [length]. Neither: as in the previous step. An array of CuPy, PyTorch or JAX on a
-            CUDA device, float64 or float32, is handed over where it is, and the result's arrays are of the same kind there
+            CUDA device, float64 or float32, is read there, and the result's arrays are of the same kind on that device
         approach: approach of the bodies [length], load: normal force [force], or pressure: load over the area of the grid
         mask: of the system's shape, 0 where a point carries no pressure; its gap may then be NaN
         missing: what is done with masked or NaN heights: "reject", "exclude" or "fill"
@@ -281,7 +281,7 @@ class Contact(Handle):
         return index, pressure
 
     def indentation(self) -> Doubles:
-        """The plastic indentation that the steps so far have left where the pressure was the system's hardness [length].
+        """The plastic indentation of all steps so far, at points whose pressure was the system's hardness [length].
 
         The next step adds it to its undeformed gap, also to one that is given anew; `reset` forgets it.
         """
@@ -321,15 +321,15 @@ class Contact(Handle):
         mask: Optional[ArrayLike] = None,
         missing: str = "reject",
     ) -> None:
-        """Goes on after a certified step that this contact or another one of the same system has solved.
+        """Continues after a certified step that this contact or another one of the same system has solved.
 
         heights, undeformed_gap, mask, missing: its surface, as in `solve`
         last: its pressures, approach and load, as its result has them
-        before: likewise of the step before it, on the same surface; None: there was none
-        indentation: what `indentation` gave after its last step [length]; None: none
+        before: the same of the step before it, on the same surface; None: there was none
+        indentation: the result of `indentation` after its last step [length]; None: none
 
-        With options={"resumable": 1} in both contacts the next steps give the same bits as in the other, without it to
-        round-off.
+        With options={"resumable": 1} in both contacts the next steps give the same bits as in the other contact, otherwise they
+        agree to round-off.
         """
         gap_array, mask_array = gap_and_mask(self.system, heights, undeformed_gap, mask, missing)
         pressure = as_doubles(last[0], "last[0]", self.system.shape)

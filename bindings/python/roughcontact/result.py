@@ -44,12 +44,12 @@ class Grid(Stored):
 
 @dataclass(frozen=True)
 class Accuracy(Stored):
-    """Which grid an answer is of, and how far off it may be.
+    """The grid of an answer, and its estimated errors.
 
     model_nx, model_ny: points of the grid that was solved
-    error_estimate: with option accuracy: estimated relative error of what it is of, load or area
-    area_estimate: likewise of the area, which a goal of the load does not hold
-    left_out: roughness that the solved grid does not see, rms over the points in contact [length]
+    error_estimate: with option accuracy: estimated relative error of the load or area that accuracy.of names
+    area_estimate: the same for the area, which a goal of the load does not bound
+    left_out: roughness that the solved grid leaves out, rms over the points in contact [length]
     """
 
     model_nx: int
@@ -125,7 +125,7 @@ class Result(Answer):
     undecided: int
     #: coarse solutions kept, see `Contact.levels`
     levels: int
-    #: what the residuals were held to
+    #: limit of the residuals
     tolerance: float
     #: the exact dW/dd at this approach lies between [force/length]; NaN unless option stiffness is 2
     stiffness_lower: float

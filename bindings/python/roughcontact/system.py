@@ -158,7 +158,7 @@ class HalfSpace(System):
 class Matrix(System):
     """The caller's own influence matrix H, symmetric and positive definite [length per (force/length^2)].
 
-    H: [n, n]; not copied where it is an array of doubles whose rows or columns are contiguous, and then to stay as it is
+    H: [n, n]; an array of doubles with contiguous rows or columns is not copied, and must not change
     shape: of gaps and pressures, n points altogether; None: (n,)
     pitch: one number or (hx, hy): hx hy is the area of a cell
     hardness: as in `HalfSpace`

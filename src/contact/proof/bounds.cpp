@@ -38,7 +38,7 @@ struct Distance {
 };
 
 // In units of length_ and of the dimensionless operator: p = the given p between 0 and the hardness, u = d - h, w = H p - u.
-// docs/certificate.md has the derivation.
+// docs/development/derivation.md has the derivation.
 class Proof {
  public:
   Proof(const System& system, const Spectrum& spectrum, const StepSurface& surface, double compression, const Deflected& answer,

@@ -1,4 +1,4 @@
-// Proofs about the exact solution at the given compression, from one product with H: docs/certificate.md has the derivation.
+// Proofs about the exact solution at the given compression, from one product with H; docs/development/derivation.md derives them.
 #pragma once
 
 #include <cstdint>

@@ -25,7 +25,7 @@ bool pass_over(const GridProblem& problem, const char* name, const char* option,
   } catch (const Error&) {
     return false;
   }
-  attempt.remarks.add(join("auto: passed over ", name, ", ", reason));
+  attempt.remarks.add(join("auto: skipped ", name, ": ", reason));
   return true;
 }
 

@@ -99,7 +99,7 @@ rc_status haar_cg(const Problem& problem, std::span<double> p, double& d) {
   const rc_status status = iterate(problem, p, d);
   if (status == RC_OK) near.keep(p);
   if (status != RC_STOP_STALLED || problem.load_control() || !problem.has_subset()) return status;
-  problem.note("haar-cg: stalled; nnls finished");
+  problem.note("haar-cg stalled; nnls completed the step");
   return problem.by_nnls(p.data());
 }
 

@@ -2,8 +2,10 @@
 
 #include <cstdlib>
 
+#include "core/boundary.h"
 #include "kernel/kernel.h"
 #include "kernel/kernels.h"
+#include "kernel/semi_periodic.h"
 
 namespace contract {
 

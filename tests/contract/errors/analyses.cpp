@@ -127,7 +127,7 @@ Section analyses() {
            all_with([](Call& c) { c.system.hx = c.system.hy = 1e200; })},
           {"analysis: boundary = 7",
            refused,
-           {"rc_histogram_fill: rc_system.boundary = 7 is neither RC_BOUNDARY_FREE (1)"},
+           {"rc_histogram_fill: rc_system.boundary = 7 is none of RC_BOUNDARY_FREE (1)"},
            all_with([](Call& c) { c.system.boundary = 7; })},
           {"analysis: op = 0",
            refused,

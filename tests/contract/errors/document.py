@@ -1,4 +1,4 @@
-"""Compares the generated part of docs/errors.md with what the test's table says; --update rewrites it.
+"""Compares the generated part of docs/development/errors.md with what the test's table says; --update rewrites it.
 
 Usage: document.py TEST_PROGRAM DOCUMENT [--update]
 """

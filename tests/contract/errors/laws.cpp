@@ -161,7 +161,7 @@ Section laws() {
                })},
               {"`rc_law_create`: RC_LAW_BULK_MEAN, periodic",
                RC_ERR_INCOMPATIBLE,
-               {"RC_LAW_BULK_MEAN is for a half-space with free boundaries; take RC_LAW_BULK_AUTO"},
+               {"RC_LAW_BULK_MEAN is for a half-space with free or semi-periodic boundaries; take RC_LAW_BULK_AUTO"},
                patch_with([](Patch& a) {
                  a.spec.bulk = RC_LAW_BULK_MEAN;
                  a.scene.system.boundary = RC_BOUNDARY_PERIODIC;

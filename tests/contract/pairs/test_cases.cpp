@@ -130,9 +130,9 @@ void run_case(const ReferenceCase& reference, const Pair& pair, std::int32_t op,
   check_solution(given, pair, control == RC_CONTROL_LOAD ? at_load(given.problem, load) : given.problem);
 }
 
-void solve_periodic(const Pair& pair, std::int32_t control) {
-  Problem problem = rough_problem(12, 10, RC_BOUNDARY_PERIODIC, 0.5, 0.75);
-  problem.target *= 1.6;
+void solve_rough(std::int32_t boundary, const Pair& pair, std::int32_t control) {
+  Problem problem = rough_problem(12, 10, boundary, 0.5, 0.75);
+  problem.target *= boundary == RC_BOUNDARY_PERIODIC ? 1.6 : 3;
   if (control == RC_CONTROL_LOAD) problem = at_load(problem, 20);
   groups_run.insert(group_name(pair, problem.system, control));
   const Answer answer = solve(problem, pair, unrepaired);
@@ -192,17 +192,19 @@ std::vector<Test> all_tests(const ReferenceCases& reference) {
                      check_equal(static_cast<std::int64_t>(reference.cases.size()), 29, "cases");
                      check_equal(static_cast<std::int64_t>(reference.load_control.size()), 6, "load_control");
                    }});
-  rc_system periodic = support::unit_system();
-  periodic.boundary = RC_BOUNDARY_PERIODIC;
   for (const Pair& pair : all_pairs())
     for (const std::int32_t control : controls) {
       for (const std::int32_t op : {RC_OPERATOR_HALFSPACE, RC_OPERATOR_DENSE, RC_OPERATOR_CALLBACK})
         add_pair(tests, pair, op, control, reference);
-      const std::string group = group_name(pair, periodic, control), reason = obstacle(pair, periodic, control);
-      tests.push_back({reason.empty() ? group + "/rough" : group, [=] {
-                         if (!reason.empty()) throw Skipped(reason);
-                         solve_periodic(pair, control);
-                       }});
+      for (const std::int32_t boundary : {RC_BOUNDARY_PERIODIC, RC_BOUNDARY_PERIODIC_X}) {
+        rc_system system = support::unit_system();
+        system.boundary = boundary;
+        const std::string group = group_name(pair, system, control), reason = obstacle(pair, system, control);
+        tests.push_back({reason.empty() ? group + "/rough" : group, [=] {
+                           if (!reason.empty()) throw Skipped(reason);
+                           solve_rough(boundary, pair, control);
+                         }});
+      }
     }
   return tests;
 }

@@ -264,14 +264,14 @@ rc_status lost(const rc_host* host, const rc_operator_spec*, void**) {
   return host->fail(host, RC_ERR_EXTERNAL, "the device is lost");
 }
 
-void what_fails_is_passed_over(void**) {
+void what_fails_is_skipped(void**) {
   for (const bool by_memory : {true, false}) {
     const Registry registry("", RC_CONTEXT_NO_PLUGINS);
     rc_backend backend;
     add_backend(registry, backend, "broken", at_once, by_memory ? no_room : lost);
     const Pressed pressed(registry);
     assert_has(pressed.note(),
-               by_memory ? "auto: passed over broken, no room on the device" : "auto: passed over broken, the device is lost");
+               by_memory ? "auto: skipped broken: no room on the device" : "auto: skipped broken: the device is lost");
     assert_has(pressed.explanation(), "broken: has failed\n");
   }
 }
@@ -288,7 +288,7 @@ const std::vector<CMUnitTest> choice_tests = {
     cmocka_unit_test(what_does_not_say_its_cost_comes_last),
     cmocka_unit_test(what_needs_too_much_memory_is_left),
     cmocka_unit_test(reasons_are_explained),
-    cmocka_unit_test(what_fails_is_passed_over),
+    cmocka_unit_test(what_fails_is_skipped),
 };
 
 }  // namespace plugins

@@ -117,7 +117,7 @@ void boundaries_and_cells_are_checked(void**) {
   kernel.symbol = nullptr;
   assert_int_equal(add(registry, kernel), RC_OK);
   assert_int_equal(Pressed(registry, {{RC_OPT_KERNEL, "decay"}}, RC_BOUNDARY_PERIODIC).status, RC_ERR_INCOMPATIBLE);
-  assert_message_has("kernel \"decay\" is for free boundaries, the system has periodic ones; use kernel=auto");
+  assert_message_has("kernel \"decay\" is not for periodic boundaries, which the system has; use kernel=auto");
   assert_int_equal(Pressed(registry, {{RC_OPT_KERNEL, "decay"}}).status, RC_OK);
   rc_options* options = nullptr;
   assert_int_equal(rc_options_create(registry.get(), &options), RC_OK);

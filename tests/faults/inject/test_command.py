@@ -17,7 +17,7 @@ from harness import CommandTest, np, rough  # noqa: E402
 HISTORY = ["--pitch", "1e-6", "--modulus", "1e9", "--approach", "1e-7,2e-7", "--out", "out", "--quiet"]
 SOLVERS = {"dense": "nnls", "fft": "polonsky-keer", "cholmod": "nnls"}
 RUNS = 25  # of one sweep
-LARGE = 1 << 16  # bytes; FFTW's planner ends the process where it gets less than that and larger ones just succeeded, see docs/errors.md
+LARGE = 1 << 16  # bytes; FFTW's planner ends the process where it gets less than that and larger ones just succeeded, see docs/development/errors.md
 LARGE = 1 << 16  # bytes
 
 

@@ -39,7 +39,7 @@ class Input(RanksTest):
         self.assert_refused('surface.npy', '--pitch', '1e-6', '--approach', '1e-7', says='the elastic modulus is missing')
         self.assert_refused('surface.npy', '--modulus', '1e9', '--approach', '1e-7', says='give --pitch')
         self.assert_refused('surface.npy', *PRESS, says='what to press with is missing')
-        self.assert_refused('surface.npy', *PRESS, '--load', '1', '--resume', says='--resume goes on in the folder of --out')
+        self.assert_refused('surface.npy', *PRESS, '--load', '1', '--resume', says='--resume needs --out, the folder of the interrupted run')
         self.assert_refused('surface.npy', *PRESS, '--load', '1', '--out', 'out', '--checkpoint', '0', says='--checkpoint: "0"')
         self.assert_refused('surface.npy', *PRESS, '--load', '1', '--tolerance', '7', says='did you mean "--tol"')
         self.assert_refused('surface.npy', *PRESS, '--load', '1', '--missing', 'fill', says='give reject or exclude')

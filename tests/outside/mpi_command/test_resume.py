@@ -61,7 +61,7 @@ class Resume(RanksTest):
         self.assertNotEqual(self.kill_when(note.exists, 2, *once, '--out', 'cut'), 0)
         at = json.loads(note.read_text())['iterations']
         done = self.run_ranks(2, *once, '--out', 'cut', '--resume')
-        self.assertIn(f'step 1 goes on after {at} iterations', done.stderr)
+        self.assertIn(f'step 1 continues after {at} iterations', done.stderr)
         one, other = (np.load(self.folder / name / 'pressure-1.npy') for name in ('whole', 'cut'))
         self.assertLess(abs(one - other).max(), 1e-8 * one.max())
         ours, theirs = (told(self.folder / name)['steps'][0] for name in ('whole', 'cut'))

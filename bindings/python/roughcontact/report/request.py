@@ -8,6 +8,7 @@ from typing import Any, List, NoReturn, Optional, Sequence, Tuple
 from .._errors import ArgumentError
 from .._data_arrays import METRES
 from .._elastic import modulus_of
+from ..system import REPEATS
 from .quantities import quantities, quantity, targets
 
 CURVE_POINTS, CURVE_SPAN = 10, 100.0  # of the history up to a single target, and how far below that it begins
@@ -60,7 +61,7 @@ def parser() -> Parser:
     made = Parser(
         prog="python -m roughcontact report",
         description="Press a rough surface against a flat and write one page that tells what was found, how sure it is, and what was assumed.",
-        epilog="Lengths, pressures and forces may have a unit with an SI prefix: 39nm, 210GPa, 1mN. Numbers alone are in m (or --unit), Pa and N. "
+        epilog="Lengths, pressures and forces may have a unit with an SI prefix: 39nm, 210GPa, 1mN. Numbers without a unit are in m (or --unit), Pa and N. "
         "Exit status: 0 every step is certified, 1 wrong input, 2 the page is written but a step is not certified.",
         allow_abbrev=False,
     )
@@ -73,11 +74,11 @@ def parser() -> Parser:
     made.add_argument(
         "--remove", choices=["none", "mean", "plane", "quadric"], default="none", help="least-squares form to take off (none)"
     )
-    made.add_argument("--boundary", choices=["free", "periodic"], help="as the file says, else periodic: the map is a sample of a larger surface")
+    made.add_argument("--boundary", choices=list(REPEATS), help="as the file says, else periodic: the map is a sample of a larger surface")
     made.add_argument("--modulus", metavar="E*", help="contact modulus, or")
     made.add_argument("--E", metavar="E", help="Young's modulus, with")
     made.add_argument("--nu", type=_number, metavar="NU", help="Poisson's ratio")
-    made.add_argument("--E2", metavar="E", help="Young's modulus of the other body; rigid without")
+    made.add_argument("--E2", metavar="E", help="Young's modulus of the other body (default: rigid)")
     made.add_argument("--nu2", type=_number, metavar="NU", help="Poisson's ratio of the other body")
     made.add_argument("--hardness", metavar="H", help="largest pressure; above it the surface yields")
     made.add_argument("--load", metavar="TARGETS", help="normal force: one, a list a,b,c or a range a:b:n, or a:b:nlog with equal ratios; or")

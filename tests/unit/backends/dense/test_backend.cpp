@@ -78,8 +78,8 @@ void description_is_complete(void**) {
   const rc_backend& backend = stand_in::backend();
   assert_string_equal(backend.name, "dense");
   assert_string_equal(backend.license, "BSD-3-Clause AND MPL-2.0");
-  assert_int_equal(backend.caps, RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_DENSE_INPUT | RC_CAP_SUBSET | RC_CAP_THREAD_INVARIANT |
-                                     RC_CAP_SHIFTED | RC_CAP_NORM);
+  assert_int_equal(backend.caps, RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_SEMI_PERIODIC | RC_CAP_DENSE_INPUT | RC_CAP_SUBSET |
+                                     RC_CAP_THREAD_INVARIANT | RC_CAP_SHIFTED | RC_CAP_NORM);
   assert_non_null(backend.subset);
   assert_int_equal(backend.n_options, 1);
   assert_string_equal(backend.options[0]->key, "dense.memory_limit");
