@@ -40,6 +40,11 @@ std::vector<Small> systems() {
   all.back().given.hx = 0.4;
   all.emplace_back(9, 1);
   all.back().make_dense(1e-3);
+  for (const std::int32_t boundary : {RC_BOUNDARY_PERIODIC_X, RC_BOUNDARY_PERIODIC_Y}) {
+    all.emplace_back(6, 4);
+    all.back().given.hx = 0.7;
+    all.back().given.boundary = boundary;
+  }
   return all;
 }
 

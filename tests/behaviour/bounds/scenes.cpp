@@ -88,6 +88,8 @@ Scene random_scene(std::mt19937& generator, std::int64_t most) {
   } else {
     problem.kernel = kernel;
     if (kernel == "spectral") s.boundary = RC_BOUNDARY_PERIODIC;
+    if (kernel == "love" && below(generator, 2) == 0)
+      s.boundary = below(generator, 2) == 0 ? RC_BOUNDARY_PERIODIC_X : RC_BOUNDARY_PERIODIC_Y;
     if (kernel == "love" || kernel == "galerkin" || kernel == "spectral")
       if (below(generator, 2) == 0) s.hy *= std::pow(10, 4 * uniform(generator) - 2);
   }
@@ -101,7 +103,7 @@ Scene random_scene(std::mt19937& generator, std::int64_t most) {
   }
   problem.target = random_approach(problem, generator);
   scene.name = kernel + " " + std::to_string(s.nx) + "x" + std::to_string(s.ny) + " hy/hx " + text(s.hy / s.hx) +
-               (problem.mask.empty() ? "" : " masked");
+               (problem.semi_periodic() ? " semi-periodic" : "") + (problem.mask.empty() ? "" : " masked");
   return scene;
 }
 
