@@ -92,6 +92,7 @@ how-to/calculix
 ../integrations/README
 ../integrations/4c/README
 ../integrations/mirco/README
+../integrations/gapflow/README
 ```
 
 ```{toctree}
