@@ -103,7 +103,7 @@ def test_options_of_no_known_type(value, half_space):
 
 
 def test_names_that_are_not_choices(half_space, sphere_gap):
-    refused(rc.ArgumentError, "'free' or 'periodic'", rc.HalfSpace, (4, 4), pitch=1, modulus=1, boundary="open")
+    refused(rc.ArgumentError, "'free', 'periodic', 'periodic-x' or 'periodic-y'", rc.HalfSpace, (4, 4), pitch=1, modulus=1, boundary="open")
     with pytest.raises(rc.ArgumentError, match="pitch and system are both given"):
         rc.solve(undeformed_gap=sphere_gap, system=half_space, pitch=1.0, load=1)
     refused(rc.ShapeError, "3 axes", rc.HalfSpace, (4, 4, 4), pitch=1, modulus=1)

@@ -96,5 +96,5 @@ def test_what_cannot_be_registered():
     with pytest.raises(rc.PluginError):
         context.add_kernel("No Name", raising)
     context.add_kernel("mine", lambda qx, qy: 2 / np.hypot(qx, qy))
-    with pytest.raises(rc.IncompatibleError, match='kernel "mine" is for periodic boundaries'):
+    with pytest.raises(rc.IncompatibleError, match='kernel "mine" is not for free boundaries'):
         rc.Contact(rc.HalfSpace(SHAPE, pitch=1.0, modulus=1.0, boundary="free"), options={"kernel": "mine"}, context=context)
