@@ -27,10 +27,10 @@ def test_axes_are_named_as_the_grid_has_them():
 def test_patches_join_the_sides_of_their_axis():
     pressure = np.zeros((5, 6))
     pressure[2, 0] = pressure[2, 5] = pressure[0, 3] = pressure[4, 3] = 1
-    counted = {repeats: rc.analysis.patches(pressure, pitch=1.0, periodic=repeats).count for repeats in (False, True, "x", "y")}
+    counted = {repeats: len(rc.analysis.patches(pressure, pitch=1.0, periodic=repeats)) for repeats in (False, True, "x", "y")}
     assert counted == {False: 4, True: 2, "x": 3, "y": 3}
     band = np.zeros((5, 6))
     band[2] = 1
-    assert rc.analysis.crossing(band, periodic="x").contact_x
+    assert rc.analysis.crossing(band, periodic="x").contact == "x"
     with pytest.raises(rc.ArgumentError, match="True, False, 'x' or 'y'"):
         rc.analysis.area(pressure, pitch=1.0, periodic="z")
