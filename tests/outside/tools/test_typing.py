@@ -46,8 +46,8 @@ class Completion(CommandTest):
         self.assertEqual(self.candidates("so"), ["solve", "solvers"])
         self.assertEqual(self.candidates("generate", "sp"), ["spectral", "sphere"])
         self.assertEqual(self.candidates("solve", "file", "--b"), ["--boundary", "--backend"])
-        self.assertEqual(self.candidates("solve", "--boundary", ""), ["free", "periodic"])
-        self.assertEqual(self.candidates("solve", "--boundary=p"), ["--boundary=periodic"])
+        self.assertEqual(self.candidates("solve", "--boundary", ""), ["free", "periodic", "periodic-x", "periodic-y"])
+        self.assertEqual(self.candidates("solve", "--boundary=p"), ["--boundary=periodic", "--boundary=periodic-x", "--boundary=periodic-y"])
         self.assertEqual(self.candidates("solve", "--boundary", "=", "p"), ["--boundary=periodic"])
         self.assertEqual(self.candidates("solve", "--set", "greedy.i"), ["greedy.inner="])
         self.assertEqual(self.candidates("solve", "--set", "solver", "=", "haar"), ["solver=haar-cg"])
@@ -82,9 +82,9 @@ class Completion(CommandTest):
         self.asked("bash", ["-n", str(SCRIPTS / "roughcontact.bash")])
         self.assertEqual(self.in_bash("an"), ["analyze"])
         self.assertEqual(self.in_bash("solve", "--bou"), ["--boundary"])
-        self.assertEqual(self.in_bash("solve", "--boundary", ""), ["free", "periodic"])
+        self.assertEqual(self.in_bash("solve", "--boundary", ""), ["free", "periodic", "periodic-x", "periodic-y"])
         self.assertEqual(self.in_bash("solve", "--boundary", "=", "fr"), ["free"])
-        self.assertEqual(self.in_bash("solve", "--boundary", "="), ["free", "periodic"])
+        self.assertEqual(self.in_bash("solve", "--boundary", "="), ["free", "periodic", "periodic-x", "periodic-y"])
         self.assertEqual(self.in_bash("solve", "--set", "solver", "=", "haar"), ["haar-cg"])
         self.assertEqual(self.in_bash("solve", "file"), [])
 
@@ -94,7 +94,7 @@ class Completion(CommandTest):
     def test_fish(self):
         script = SCRIPTS / "roughcontact.fish"
         self.asked("fish", ["--no-execute", str(script)])
-        self.assertEqual(self.asked("fish", ["-N", "-c", "source '%s'; complete -C 'roughcontact solve --boundary '" % script]), ["free", "periodic"])
+        self.assertEqual(self.asked("fish", ["-N", "-c", "source '%s'; complete -C 'roughcontact solve --boundary '" % script]), ["free", "periodic", "periodic-x", "periodic-y"])
 
 
 class Threads(CommandTest):
