@@ -77,7 +77,7 @@ double share_or(const char* option, const std::optional<std::string>& text, doub
   return share;
 }
 
-std::int64_t whole_or(const char* option, const std::optional<std::string>& text, std::int64_t least, std::int64_t most) {
+std::int64_t whole_between(const char* option, const std::optional<std::string>& text, std::int64_t least, std::int64_t most) {
   if (!text) return 0;
   const auto value = to_integer(*text);
   if (!value || *value < least || *value > most)
@@ -112,7 +112,7 @@ std::vector<LawExport> exports_of(const LawArguments& arguments, const LawUnits&
       const std::size_t format = choice("--export", each.substr(0, equals), law_format_names);
       rc_law_export_spec spec = RC_LAW_EXPORT_SPEC_INIT;
       spec.format = RC_LAW_CSV + static_cast<int32_t>(format);
-      spec.rows = whole_or("--rows", arguments.rows, 5, spec.format == RC_LAW_CALCULIX ? 200 : 1'000'000);
+      spec.rows = whole_between("--rows", arguments.rows, 5, spec.format == RC_LAW_CALCULIX ? 200 : 1'000'000);
       spec.beyond = arguments.beyond ? finite_number("--beyond", *arguments.beyond) : 0;
       if (arguments.beyond && spec.beyond < 1) throw Error("--beyond: ", in_quotes(*arguments.beyond), " is not 1 or more");
       std::tie(spec.rho1, spec.rho2) = resistivities(arguments.conductivity);
@@ -187,7 +187,7 @@ PatchLaw make_law(LawArguments& arguments) {
   rc_law_spec spec = RC_LAW_SPEC_INIT;
   spec.tolerance = share_or("--tolerance", arguments.tolerance, 1e-6, 0.1, spec.tolerance);
   spec.tolerance_conductance = share_or("--conductance-tolerance", arguments.conductance_tolerance, 1e-4, 1, 0);
-  spec.max_nodes = whole_or("--max-nodes", arguments.max_nodes, 3, 10'000'000);
+  spec.max_nodes = whole_between("--max-nodes", arguments.max_nodes, 3, 10'000'000);
   set_range(arguments.contact);
   const Problem problem = make_problem(arguments.contact);
   spec.p_lower = problem.targets.front();

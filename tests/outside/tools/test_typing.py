@@ -48,7 +48,7 @@ class Completion(CommandTest):
         self.assertEqual(self.candidates("solve", "file", "--b"), ["--boundary", "--backend"])
         self.assertEqual(self.candidates("solve", "--boundary", ""), ["free", "periodic", "periodic-x", "periodic-y"])
         self.assertEqual(self.candidates("solve", "--boundary=p"), ["--boundary=periodic", "--boundary=periodic-x", "--boundary=periodic-y"])
-        self.assertEqual(self.candidates("solve", "--boundary", "=", "p"), ["--boundary=periodic"])
+        self.assertEqual(self.candidates("solve", "--boundary", "=", "p"), ["--boundary=periodic", "--boundary=periodic-x", "--boundary=periodic-y"])
         self.assertEqual(self.candidates("solve", "--set", "greedy.i"), ["greedy.inner="])
         self.assertEqual(self.candidates("solve", "--set", "solver", "=", "haar"), ["solver=haar-cg"])
         self.assertEqual(self.candidates("solve", "--remove", "--resume", "--q"), ["--quiet"])
