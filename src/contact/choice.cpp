@@ -26,10 +26,10 @@ constexpr double few_share = 0.05;  // of the grid's points: products that cost 
 constexpr double few_share_by_rows = 0.01;
 constexpr std::int64_t most_few_by_rows = 1 << 17;
 
-const char* kind_of(const System& system) {
+std::string kind_of(const System& system) {
   if (system.given.op == RC_OPERATOR_DENSE) return "the caller's dense matrix";
   if (system.given.op == RC_OPERATOR_CALLBACK) return "the caller's product";
-  return system.periodic() ? "periodic boundaries" : system.semi_periodic() ? "semi-periodic boundaries" : "free boundaries";
+  return join(system.boundary(), " boundaries");
 }
 
 // What of this system is beyond the backend; "" if nothing is.

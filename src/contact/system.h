@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-#include "core/boundary.h"
+#include "kernel/semi_periodic.h"
 #include "registry/system_kernel.h"
 
 namespace rc {
@@ -31,7 +31,7 @@ struct OperatorBounds {
   double lambda_min = 0;           // of the eigenvalues, from below; 0: none is known
   double lambda_wave = 0;          // periodic: the same without the mean's eigenvalue, which is 0
   double lambda_most = 0;          // periodic: the largest eigenvalue but the mean's
-  double galerkin_share = 0;       // free boundaries: x'Hx is at least this times that of the kernel galerkin
+  double galerkin_share = 0;       // not periodic: x'Hx is at least this times that of the kernel galerkin
   double least_deflection = 0.25;  // of a cell under unit pressure
 };
 
@@ -50,7 +50,7 @@ struct System {
   bool capped() const { return hardness < std::numeric_limits<double>::infinity(); }
   bool halfspace() const { return given.op == RC_OPERATOR_HALFSPACE; }
   bool periodic() const { return halfspace() && given.boundary == RC_BOUNDARY_PERIODIC; }
-  bool semi_periodic() const { return halfspace() && rc::semi_periodic(given.boundary); }
+  bool semi_periodic() const { return halfspace() && kernel::semi_periodic(given.boundary); }
   const char* boundary() const { return periodic() ? "periodic" : semi_periodic() ? "semi-periodic" : "free"; }
   // Periodic: the eigenvalue of the longest wave on a half-space. An axis of one point has no waves.
   double half_space_wave() const;

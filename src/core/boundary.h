@@ -13,8 +13,5 @@ constexpr bool repeats_along_x(std::int32_t boundary) {
 constexpr bool repeats_along_y(std::int32_t boundary) {
   return boundary == RC_BOUNDARY_PERIODIC || boundary == RC_BOUNDARY_PERIODIC_Y;
 }
-constexpr bool semi_periodic(std::int32_t boundary) {
-  return boundary == RC_BOUNDARY_PERIODIC_X || boundary == RC_BOUNDARY_PERIODIC_Y;
-}
 
 }  // namespace rc

@@ -12,17 +12,13 @@ namespace rc::kernel {
 
 namespace {
 
-bool semi_periodic(const rc_system& system) {
-  return system.boundary == RC_BOUNDARY_PERIODIC_X || system.boundary == RC_BOUNDARY_PERIODIC_Y;
-}
-
 const Kernel& kernel_of(const rc_kernel_spec& spec) { return *static_cast<const Kernel*>(spec.kernel->user); }
 
 rc_status window(const rc_host*, const rc_kernel_spec* spec, std::int64_t first_x, std::int64_t first_y, std::int64_t mx,
                  std::int64_t my, double* out) {
   const rc_system& s = *spec->system;
   const Window window{first_x, first_y, mx, my};
-  if (!semi_periodic(s)) {
+  if (!semi_periodic(s.boundary)) {
     window_coefficients(kernel_of(*spec), s.hx, s.hy, window, out);
     return RC_OK;
   }
@@ -39,7 +35,7 @@ rc_status waves(const rc_host*, const rc_kernel_spec* spec, double* out) {
 rc_status bounds(const rc_host*, const rc_kernel_spec* spec, rc_kernel_bounds* out) {
   const rc_system& s = *spec->system;
   const Kernel& kernel = kernel_of(*spec);
-  if (semi_periodic(s)) {
+  if (semi_periodic(s.boundary)) {
     out->lowest = lowest_eigenvalue(kernel, strip_of(s));
     out->galerkin_share = share_of_galerkin(strip_of(s));
   } else if (kernel.boundary == Boundary::periodic) {

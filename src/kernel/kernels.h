@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "kernel/kernel.h"
 
@@ -30,6 +31,9 @@ void galerkin(double hx, double hy, const Window&, double* out);
 void disc(double hx, double hy, const Window&, double* out);
 void punch(double hx, double hy, const Window&, double* out);
 void eq9(double hx, double hy, const Window&, double* out);
+
+// cos(2 pi i/n), i = 0 .. n - 1
+std::vector<double> cosines_of_a_turn(std::int64_t n);
 
 // Coefficients at neighbouring offsets of a row, computed side by side so that the compiler can use vector instructions. Runs
 // begin at multiples of their length whatever the window, so that a coefficient does not depend on the window either.

@@ -20,13 +20,13 @@ namespace {
 using std::numbers::egamma;
 using std::numbers::pi;
 
-constexpr double longest_decay = 38;         // waves that have decayed by exp(-38) are nothing
+constexpr double longest_decay = 38;         // waves that have decayed by exp(-38) do not count
 constexpr double nearest = 1.0 / 3;          // of the period: images are summed nearer, waves farther away
 constexpr std::int64_t least_images = 4;     // on either side
 constexpr double clearance = 8;              // images are summed up to this many times the farthest point of the cells at hand
 constexpr double below_rounding = 1 - 1e-6;  // round-off of the coefficients moves eigenvalues by far less
 
-// The mean of ln(R/|y - t|) over a cell's width h around t = 0.
+// The mean of ln(R/|y - t|) over a cell's side |t| <= h/2.
 double mean_logarithm(double R, double y, double h) {
   const double half = h / 2;
   if (y == 0) return std::log(R / half) + 1;
@@ -43,8 +43,8 @@ double mean_logarithm(double R, double y, double h) {
   return std::log(R / y) + sum;
 }
 
-// The mean of K0(q |y - t|) over a cell's width, by the trapezoidal rule for the integral of exp(-z cosh s) / cosh s over s,
-// whose error is exp(-pi^2 / step).
+// The mean of K0(q |y - t|) over a cell's side |t| <= h/2, by the trapezoidal rule for the integral of exp(-z cosh s) / cosh s
+// over s, whose error is exp(-pi^2 / step).
 double mean_bessel(double q, double y, double h) {
   constexpr double step = 0.25;
   const bool own = y == 0;
@@ -59,31 +59,6 @@ double mean_bessel(double q, double y, double h) {
   return (own ? 2 : 1) * step * sum / (q * h);
 }
 
-// cos(2 pi i/n)
-class Turn {
- public:
-  explicit Turn(std::int64_t n) : n_(n), cos_(static_cast<std::size_t>(n)) {
-    for (std::int64_t i = 0; i < n; ++i) {
-      const std::int64_t part = std::min(i, n - i);
-      cos_[static_cast<std::size_t>(i)] = std::cos(2 * pi * (static_cast<double>(part) / static_cast<double>(n)));
-    }
-  }
-  // Adds weight cos(2 pi k x/n) to out[0 .. count), x from `first` on.
-  void add(double weight, std::int64_t k, std::int64_t first, std::int64_t count, double* out) const {
-    const std::int64_t stride = k % n_;
-    std::int64_t at = first % n_ * stride % n_;
-    for (std::int64_t i = 0; i < count; ++i) {
-      out[i] += weight * cos_[static_cast<std::size_t>(at)];
-      at += stride;
-      if (at >= n_) at -= n_;
-    }
-  }
-
- private:
-  std::int64_t n_;
-  std::vector<double> cos_;
-};
-
 bool is_love(const Kernel& kernel) { return std::strcmp(kernel.name, "love") == 0; }
 
 // The symbol of spectral at the shortest waves of both axes, from below: along the axis that repeats there is one wave, across it
@@ -96,7 +71,7 @@ double corner_of_waves(double h_along, double h_across) {
 
 double sinc(double x) { return x == 0 ? 1 : std::sin(x) / x; }
 
-// The means over a cell of x^(2 i) or of (x - s)^(2 i), for the powers of solid harmonics.
+// The means of (x - s)^(2 i), i = 0, 1, ..., over a cell's side |s| <= h/2.
 template <std::size_t count> void mean_powers(double x, double h, std::array<double, count>& out) {
   const double square = x * x, quarter = h * h / 4;
   for (std::size_t i = 0; i < count; ++i) {
@@ -178,7 +153,7 @@ class FarImages {
 // Sums of images for love, of waves for both, along the axis that repeats.
 class Rows {
  public:
-  Rows(const Strip& strip, bool love) : strip_(strip), love_(love), turn_(strip.n_along) {}
+  Rows(const Strip& strip, bool love) : strip_(strip), love_(love), cosines_(cosines_of_a_turn(strip.n_along)) {}
 
   // Row iy of offsets first .. first + count - 1 along the axis.
   void fill(std::int64_t iy, std::int64_t first, std::int64_t count, double* out) {
@@ -200,7 +175,14 @@ class Rows {
       const double q = 2 * pi * static_cast<double>(k) / L;
       if (y > 0 && q * (y - h / 2) > longest_decay) break;
       const double share = love_ ? sinc(q * strip_.h_along / 2) : 2 * k == n ? 0.5 : 1;
-      turn_.add(cell() * 4 / L * share * mean_bessel(q, y, h), k, first, count, out);
+      const double weight = cell() * 4 / L * share * mean_bessel(q, y, h);
+      const std::int64_t stride = k % n;
+      std::int64_t at = first % n * stride % n;
+      for (std::int64_t i = 0; i < count; ++i) {
+        out[i] += weight * cosines_[static_cast<std::size_t>(at)];
+        at += stride;
+        if (at >= n) at -= n;
+      }
     }
   }
 
@@ -236,7 +218,7 @@ class Rows {
 
   const Strip strip_;
   const bool love_;
-  const Turn turn_;
+  const std::vector<double> cosines_;  // of the waves at the cells of a period
   std::map<std::int64_t, FarImages> beyond_;
 };
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kernel/kernel.h"
+#include "kernel/kernels.h"
 
 namespace rc::kernel {
 
@@ -55,10 +56,7 @@ Matrix operator*(const Matrix& a, const Matrix& b) {
 // and its conjugate count together, but the mean and, for even n, the highest wave are their own conjugates.
 class Cosines {
  public:
-  explicit Cosines(std::int64_t n) : n_(n) {
-    for (std::int64_t i = 0; i < n; ++i)
-      value_.push_back(std::cos(2 * std::numbers::pi * (static_cast<double>(i) / static_cast<double>(n))));
-  }
+  explicit Cosines(std::int64_t n) : n_(n), value_(cosines_of_a_turn(n)) {}
   double operator()(std::int64_t i, std::int64_t k) const {
     const double pair = k == 0 || 2 * k == n_ ? 1 : 2;
     return pair / static_cast<double>(n_) * value_[static_cast<std::size_t>(i * k % n_)];
@@ -70,6 +68,13 @@ class Cosines {
 };
 
 }  // namespace
+
+std::vector<double> cosines_of_a_turn(std::int64_t n) {
+  std::vector<double> value;
+  for (std::int64_t i = 0; i < n; ++i)
+    value.push_back(std::cos(2 * std::numbers::pi * (static_cast<double>(i) / static_cast<double>(n))));
+  return value;
+}
 
 void symbol(const Kernel&, double hx, double hy, std::int64_t nx, std::int64_t ny, double* out) {
   const double lx = static_cast<double>(nx) * hx, ly = static_cast<double>(ny) * hy;

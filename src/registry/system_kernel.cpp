@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/boundary.h"
 #include "core/error.h"
 #include "core/limits.h"
 #include "kernel/lowest_eigenvalue.h"
+#include "kernel/semi_periodic.h"
 
 namespace rc {
 
@@ -65,7 +65,7 @@ rc_kernel_bounds SystemKernel::promised(const rc_system& system) const {
 rc_kernel_bounds SystemKernel::bounds(const rc_system& system, double& largest) const {
   rc_kernel_bounds found = promised(system);
   if (built_in_) return found;
-  if (semi_periodic(system.boundary)) found.galerkin_share = 0;  // a promise about free boundaries
+  if (kernel::semi_periodic(system.boundary)) found.galerkin_share = 0;  // a promise about free boundaries
   if (system.boundary != RC_BOUNDARY_PERIODIC) {
     check_coefficients(system, found);
     found.lowest =

@@ -211,7 +211,7 @@ class Proof {
 
   double rigid(const Extent& support) const {
     if (!system_.semi_periodic() || support.n == 0) return diagonal(support);
-    const bool along_x = repeats_along_x(system_.unit.boundary);
+    const bool along_x = system_.unit.boundary == RC_BOUNDARY_PERIODIC_X;
     const std::int64_t across = along_x ? support.height() : support.width();
     const kernel::Strip strip = kernel::strip_of(system_.unit);
     return kernel::punch_stiffness(strip, static_cast<double>(across) * strip.h_across);

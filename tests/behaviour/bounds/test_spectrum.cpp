@@ -9,6 +9,7 @@
 #include "contact/system.h"
 #include "kernel/kernel.h"
 #include "kernel/lowest_eigenvalue.h"
+#include "kernel/semi_periodic.h"
 #include "support/cmocka.hpp"
 #include "support/unit_system.h"
 
@@ -25,14 +26,20 @@ struct Grid {
 
 const rc::kernel::Kernel& kernel_of(const std::string& name) { return *rc::kernel::find(name); }
 
-Vector matrix_of(const std::string& name, const Grid& g) {
-  Vector table(static_cast<std::size_t>(g.nx * g.ny)), matrix;
-  rc::kernel::coefficients(kernel_of(name), g.hx, g.hy, g.nx, g.ny, table.data());
+// H from the coefficients at all offsets of the grid.
+Vector matrix_of(const Vector& table, const Grid& g) {
+  Vector matrix;
   const std::int64_t n = g.nx * g.ny;
   for (std::int64_t i = 0; i < n; ++i)
     for (std::int64_t j = 0; j < n; ++j)
       matrix.push_back(table[static_cast<std::size_t>(std::abs(i / g.nx - j / g.nx) * g.nx + std::abs(i % g.nx - j % g.nx))]);
   return matrix;
+}
+
+Vector matrix_of(const std::string& name, const Grid& g) {
+  Vector table(static_cast<std::size_t>(g.nx * g.ny));
+  rc::kernel::coefficients(kernel_of(name), g.hx, g.hy, g.nx, g.ny, table.data());
+  return matrix_of(table, g);
 }
 
 // Cholesky's factor of matrix - shift I in place; false if it has none.
@@ -126,6 +133,71 @@ void a_flat_punch_is_no_stiffer_than_the_disc_around_it(void**) {
                         rc::kernel::share_of_galerkin(kernel_of(grid.kernel));
     if (!(stiffness <= disc)) fail_msg("%s: %g, disc %g", grid.kernel.c_str(), stiffness, disc);
   }
+}
+
+rc_system strip_system(const Grid& g) {
+  rc_system system = support::unit_system();
+  system.boundary = RC_BOUNDARY_PERIODIC_X;
+  system.nx = g.nx;
+  system.ny = g.ny;
+  system.hx = g.hx;
+  system.hy = g.hy;
+  return system;
+}
+
+Vector strip_table(const std::string& name, const Grid& g) {
+  Vector table(static_cast<std::size_t>(g.nx * g.ny));
+  rc::kernel::semi_periodic_coefficients(kernel_of(name), strip_system(g), {0, 0, g.nx, g.ny}, table.data());
+  return table;
+}
+
+// Galerkin on a strip, as the mean of love over 4 by 4 parts of both cells.
+Vector strip_galerkin(const Grid& g) {
+  constexpr std::int64_t parts = 4;
+  const Grid fine{"love", parts * g.nx, parts * g.ny, g.hx / parts, g.hy / parts};
+  const Vector love = strip_table("love", fine);
+  Vector table;
+  for (std::int64_t iy = 0; iy < g.ny; ++iy)
+    for (std::int64_t ix = 0; ix < g.nx; ++ix) {
+      double sum = 0;
+      for (std::int64_t dy = 1 - parts; dy < parts; ++dy)
+        for (std::int64_t dx = 1 - parts; dx < parts; ++dx)
+          sum += static_cast<double>((parts - std::abs(dx)) * (parts - std::abs(dy))) *
+                 love[static_cast<std::size_t>(std::abs(parts * iy + dy) * fine.nx + (parts * ix + dx + fine.nx) % fine.nx)];
+      table.push_back(sum / (parts * parts));
+    }
+  return table;
+}
+
+void strips_keep_their_bounds(void**) {
+  for (const std::string name : {"love", "spectral"})
+    for (const Grid& grid :
+         {Grid{name, 8, 6, 1, 1}, Grid{name, 16, 20, 0.5, 2}, Grid{name, 20, 16, 2, 0.5}, Grid{name, 1, 9, 1, 1},
+          Grid{name, 9, 1, 1, 1}, Grid{name, 1, 3, 1, 10}, Grid{name, 3, 64, 0.3, 3.3}, Grid{name, 64, 5, 3, 0.3},
+          Grid{name, 7, 30, 1, 1}, Grid{name, 2, 2, 1, 1}, Grid{name, 1, 1, 1, 1}, Grid{name, 12, 12, 1, 100}}) {
+      const rc::kernel::Strip strip = rc::kernel::strip_of(strip_system(grid));
+      const auto fail_if = [&](bool wrong, const char* what, double bound) {
+        if (wrong)
+          fail_msg("%s %dx%d cells %g x %g: %s %g", name.c_str(), static_cast<int>(grid.nx), static_cast<int>(grid.ny), grid.hx,
+                   grid.hy, what, bound);
+      };
+      const Vector h = matrix_of(strip_table(name, grid), grid), galerkin = matrix_of(strip_galerkin(grid), grid);
+      Vector matrix = h;
+      const double lowest = rc::kernel::lowest_eigenvalue(kernel_of(name), strip);
+      fail_if(!(lowest > 0) || !factorise(matrix, lowest), "an eigenvalue is below", lowest);
+
+      const double share = rc::kernel::share_of_galerkin(strip);
+      matrix = h;
+      for (std::size_t i = 0; i < matrix.size(); ++i) matrix[i] -= share * galerkin[i];
+      fail_if(!(share > 0) || !factorise(matrix, 0), "x'Hx is below that of galerkin times", share);
+
+      matrix = h;
+      assert_true(factorise(matrix, 0));
+      const double punch = flat_punch(matrix) * grid.hx * grid.hy;
+      const double bound = rc::kernel::punch_stiffness(strip, strip.width()) / share;
+      fail_if(!(punch <= bound), "a flat punch is stiffer than", bound);
+      fail_if(grid.ny > 8 && punch < 0.9 * bound, "a flat punch does not come near", bound);
+    }
 }
 
 // The factor F(k, z) = sum over q = k + 2 pi m of exp(-q^2 z^2) sinc(q/2)^power of the symbol decreases with k and does not grow
@@ -233,6 +305,7 @@ int main() {
                               cmocka_unit_test(square_cells_have_the_known_bounds),
                               cmocka_unit_test(every_kernel_has_its_share_of_galerkin),
                               cmocka_unit_test(a_flat_punch_is_no_stiffer_than_the_disc_around_it),
+                              cmocka_unit_test(strips_keep_their_bounds),
                               cmocka_unit_test(the_factors_of_the_symbol_decrease),
                               cmocka_unit_test(the_lowest_wave_is_the_smallest_of_the_symbol),
                               cmocka_unit_test(a_callers_matrix_is_factorised),

@@ -2,7 +2,6 @@
 
 #include <cstdlib>
 
-#include "core/boundary.h"
 #include "kernel/kernel.h"
 #include "kernel/kernels.h"
 #include "kernel/semi_periodic.h"
@@ -65,7 +64,7 @@ StandInHost::StandInHost(const rc_backend& backend)
     const rc::kernel::Kernel& used = *rc::kernel::find(kernel);
     if (system->boundary == RC_BOUNDARY_PERIODIC)
       rc::kernel::periodic_coefficients(used, system->hx, system->hy, system->nx, system->ny, mx, my, out);
-    else if (rc::semi_periodic(system->boundary))
+    else if (rc::kernel::semi_periodic(system->boundary))
       rc::kernel::semi_periodic_coefficients(used, *system, {0, 0, mx, my}, out);
     else
       rc::kernel::coefficients(used, system->hx, system->hy, mx, my, out);
@@ -80,7 +79,7 @@ StandInHost::StandInHost(const rc_backend& backend)
               std::int64_t mx, std::int64_t my, double* out) {
     if (self(host).answer_ != RC_OK) return self(host).answer_.load();
     const rc::kernel::Kernel& used = *rc::kernel::find(kernel);
-    if (rc::semi_periodic(system->boundary))
+    if (rc::kernel::semi_periodic(system->boundary))
       rc::kernel::semi_periodic_coefficients(used, *system, {first_x, first_y, mx, my}, out);
     else
       rc::kernel::window_coefficients(used, system->hx, system->hy, {first_x, first_y, mx, my}, out);

@@ -1,4 +1,4 @@
-// Coefficients of grids that repeat along one axis: against sums of images, and the facts that the proofs rely on.
+// Coefficients of grids that repeat along one axis: against sums of images, and waves.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -119,53 +119,6 @@ void coefficients_of_love_are_positive(void**) {
     for (const double value : table(love(), grid(size))) assert_true(value > 0);
 }
 
-// Cholesky's factor of H - shift I in place; false if there is none.
-bool factorise(const rc_system& s, const Vector& values, double shift, Vector& matrix) {
-  const std::int64_t n = s.nx * s.ny;
-  matrix.clear();
-  for (std::int64_t i = 0; i < n; ++i)
-    for (std::int64_t j = 0; j < n; ++j)
-      matrix.push_back(values[static_cast<std::size_t>(std::abs(i / s.nx - j / s.nx) * s.nx + std::abs(i % s.nx - j % s.nx))] -
-                       (i == j ? shift : 0));
-  const auto m = static_cast<std::size_t>(n);
-  for (std::size_t i = 0; i < m; ++i)
-    for (std::size_t j = 0; j <= i; ++j) {
-      double sum = matrix[i * m + j];
-      for (std::size_t k = 0; k < j; ++k) sum -= matrix[i * m + k] * matrix[j * m + k];
-      if (i == j && !(sum > 0)) return false;
-      matrix[i * m + j] = i == j ? std::sqrt(sum) : sum / matrix[j * m + j];
-    }
-  return true;
-}
-
-void bounds_hold(void**) {
-  for (const rc::kernel::Kernel* kernel : {&love(), &spectral()})
-    for (const Size& size : sizes) {
-      const rc_system s = grid(size);
-      const Strip strip = rc::kernel::strip_of(s);
-      const Vector values = table(*kernel, s);
-      Vector factor;
-      const double lowest = rc::kernel::lowest_eigenvalue(*kernel, strip);
-      if (!(lowest > 0) || !factorise(s, values, lowest, factor))
-        fail_msg("%s %dx%d cells %g x %g: an eigenvalue is below %g", kernel->name, static_cast<int>(s.nx),
-                 static_cast<int>(s.ny), s.hx, s.hy, lowest);
-      assert_true(factorise(s, values, 0, factor));
-      const auto n = static_cast<std::size_t>(s.nx * s.ny);
-      Vector x(n, 1.0);
-      double punch = 0;
-      for (std::size_t i = 0; i < n; ++i) {
-        for (std::size_t k = 0; k < i; ++k) x[i] -= factor[i * n + k] * x[k];
-        x[i] /= factor[i * n + i];
-        punch += x[i] * x[i];
-      }
-      const double bound = rc::kernel::punch_stiffness(strip, strip.width()) / rc::kernel::share_of_galerkin(strip);
-      if (!(punch * s.hx * s.hy <= bound))
-        fail_msg("%s %dx%d: a flat punch carries %g, more than %g", kernel->name, static_cast<int>(s.nx), static_cast<int>(s.ny),
-                 punch * s.hx * s.hy, bound);
-      if (s.ny > 8) assert_true(punch * s.hx * s.hy > 0.9 * bound);
-    }
-}
-
 }  // namespace
 
 int main() {
@@ -174,7 +127,6 @@ int main() {
       cmocka_unit_test(spectral_deflects_waves_exactly),
       cmocka_unit_test(windows_and_axes_change_no_bit),
       cmocka_unit_test(coefficients_of_love_are_positive),
-      cmocka_unit_test(bounds_hold),
   };
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }
