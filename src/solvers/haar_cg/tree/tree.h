@@ -104,8 +104,8 @@ class HaarTree {
   // Of the children of eight blocks, in two rows of 16; -1: none.
   struct Places {
     std::int64_t first[16], second[16];
-    // end > 0: the children begin .. end-1 of a row lie side by side from first[0] or second[0] on; there are no others.
-    std::int64_t begin = 0, end = 0;
+    // end > 0: every step-th child from begin to end-1 of a row is there; they lie side by side from first[0] or second[0] on.
+    std::int64_t begin = 0, end = 0, step = 1;  // step 2: blocks have one cell along x
     // With that: the first child of each row, where it is the last cell of a period; -1: none.
     std::int64_t around_first = -1, around_second = -1;
 

@@ -27,17 +27,22 @@ void HaarTree::Places::gather_row(const Value* from, const std::int64_t* place, 
   std::fill_n(to, 16, Value{0});
   if (around >= 0) *to = from ? from[around] : Value{1};
   if (*place < 0) return;
-  if (from)
+  if (!from) {
+    for (std::int64_t i = begin; i < end; i += step) to[i] = Value{1};
+  } else if (step == 1) {
     std::copy_n(from + *place, end - begin, to + begin);
-  else
-    std::fill(to + begin, to + end, Value{1});
+  } else {
+    for (std::int64_t i = 0; i < end / 2; ++i) to[2 * i] = from[*place + i];
+  }
 }
 
 template <class Value>
 void HaarTree::Places::scatter_row(const Value* from, const std::int64_t* place, std::int64_t around, Value* to) const {
   if (end > 0) {
     if (around >= 0) to[around] = *from;
-    if (*place >= 0) std::copy(from + begin, from + end, to + *place);
+    if (*place < 0) return;
+    if (step == 1) std::copy(from + begin, from + end, to + *place);
+    for (std::int64_t i = 0; step == 2 && i < end / 2; ++i) to[*place + i] = from[2 * i];
     return;
   }
   for (int i = 0; i < 16; ++i)
@@ -96,37 +101,32 @@ std::int64_t HaarTree::row_at(std::int64_t y) const {
 HaarTree::Places HaarTree::places(std::size_t level, std::int64_t row, std::int64_t group) const {
   const Level& l = levels_[level];
   Places at;
-  if (level == 0 && regular(l)) {
-    const std::int64_t x = 16 * group - l.shift_x, y = 2 * row - l.shift_y;
-    at.begin = std::max<std::int64_t>(0, -x);
-    at.end = std::min<std::int64_t>(16, l.mx - l.around_x - x);
-    const bool above = has_row(y), below = has_row(y + 1), around = l.around_x && group == 0;
-    at.first[0] = above ? row_at(y) + x + at.begin : -1;
-    at.second[0] = below ? row_at(y + 1) + x + at.begin : -1;
-    if (around && above) at.around_first = row_at(y) + l.mx - 1;
-    if (around && below) at.around_second = row_at(y + 1) + l.mx - 1;
+  if (!full_) {
+    std::fill_n(at.first, 16, std::int64_t{-1});
+    std::fill_n(at.second, 16, std::int64_t{-1});
+    for (std::int64_t i = 0; i < std::min<std::int64_t>(8, l.columns - 8 * group); ++i) {
+      const std::int32_t* const child = l.child.data() + 4 * (8 * group + i);
+      for (std::int64_t c = 0; c < 2; ++c) {
+        at.first[2 * i + c] = child[c];
+        at.second[2 * i + c] = child[2 + c];
+      }
+    }
     return at;
   }
-  std::fill_n(at.first, 16, std::int64_t{-1});
-  std::fill_n(at.second, 16, std::int64_t{-1});
-  for (std::int64_t i = 0; i < std::min<std::int64_t>(8, l.columns - 8 * group); ++i) {
-    const std::int64_t block = 8 * group + i;
-    for (std::int64_t c = 0; c < 4; ++c) {
-      std::int64_t* const line = c < 2 ? at.first : at.second;
-      std::int64_t& place = line[2 * i + c % 2];
-      if (!full_) {
-        place = l.child[static_cast<std::size_t>(4 * block + c)];
-        continue;
-      }
-      if ((c % 2 != 0 && !l.merge_x) || (c / 2 != 0 && !l.merge_y)) continue;
-      const std::int64_t x = l.merge_x ? 2 * block - l.shift_x + c % 2 : block, y = l.merge_y ? 2 * row - l.shift_y + c / 2 : row;
-      if (x < -std::int64_t{l.around_x} || x >= l.mx) continue;
-      if (level == 0 && has_row(y))
-        place = row_at(y) + (x < 0 ? l.mx - 1 : x);
-      else if (level > 0 && y >= -l.before && y < l.my)
-        place = (y + l.lead_y) * l.pitch + x + l.lead_x;
-    }
-  }
+  at.step = l.merge_x ? 1 : 2;
+  const std::int64_t x = 16 / at.step * group - l.shift_x, y = l.merge_y ? 2 * row - l.shift_y : row;
+  // Above the finest level the last cell of a period lies before the first.
+  at.begin = group > 0 || (level > 0 && l.around_x) ? 0 : l.shift_x;
+  at.end = at.step * std::min(16 / at.step, l.mx - l.around_x - x);
+  const auto place = [&](std::int64_t line, std::int64_t& first, std::int64_t& around) {
+    const bool there = level == 0 ? has_row(line) : line >= -l.before && line < l.my;
+    const std::int64_t start = level == 0 ? row_at(line) : (line + l.lead_y) * l.pitch + l.lead_x;
+    first = there ? start + x + at.begin : -1;
+    if (there && level == 0 && l.around_x && group == 0) around = start + l.mx - 1;
+  };
+  place(y, at.first[0], at.around_first);
+  at.second[0] = -1;
+  if (l.merge_y) place(y + 1, at.second[0], at.around_second);
   return at;
 }
 
