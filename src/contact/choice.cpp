@@ -18,7 +18,7 @@ namespace {
 constexpr double worth_opening = 7.5e-5;
 constexpr double usual_products = 100;  // of a solver that does not say what it costs
 
-constexpr std::int64_t least_dilute_points = 512 * 512;
+constexpr std::int64_t least_dilute_points = 256 * 256;
 // The choice for sparse contact comes before the unknowns are known: it assumes no more than this.
 constexpr std::int64_t most_few = 1 << 24;
 constexpr double few_share = 0.05;  // of the grid's points: products that cost by the contact are cheaper below

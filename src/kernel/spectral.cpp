@@ -77,11 +77,17 @@ std::vector<double> cosines_of_a_turn(std::int64_t n) {
 }
 
 void symbol(const Kernel&, double hx, double hy, std::int64_t nx, std::int64_t ny, double* out) {
-  const double lx = static_cast<double>(nx) * hx, ly = static_cast<double>(ny) * hy;
+  // Waves in units of the longer side's, so that their squares neither overflow nor vanish.
+  const double lx = static_cast<double>(nx) * hx, ly = static_cast<double>(ny) * hy, longer = std::max(lx, ly);
+  const double x = longer / lx, y = longer / ly, factor = longer / std::numbers::pi;
   double* value = out;
-  for (std::int64_t ky = 0; ky <= ny / 2; ++ky)
-    for (std::int64_t kx = 0; kx <= nx / 2; ++kx)
-      *value++ = 1 / (std::numbers::pi * std::hypot(static_cast<double>(kx) / lx, static_cast<double>(ky) / ly));
+  for (std::int64_t ky = 0; ky <= ny / 2; ++ky) {
+    const double along_y = y * static_cast<double>(ky), square = along_y * along_y;
+    for (std::int64_t kx = 0; kx <= nx / 2; ++kx) {
+      const double along_x = x * static_cast<double>(kx);
+      *value++ = factor / std::sqrt(along_x * along_x + square);
+    }
+  }
   out[0] = 0;
 }
 

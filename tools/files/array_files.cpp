@@ -1,5 +1,6 @@
 #include "files/array_files.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 
@@ -11,10 +12,10 @@ namespace cli {
 
 namespace {
 
-template <class Bits> void write_little_endian(std::FILE* file, Bits bits) {
-  unsigned char bytes[sizeof bits];
-  for (std::size_t k = 0; k < sizeof bits; ++k) bytes[k] = static_cast<unsigned char>(bits >> (8 * k));
-  std::fwrite(bytes, 1, sizeof bytes, file);
+template <class Value> void write_little_endian(std::FILE* file, std::vector<Value> values) {
+  if constexpr (std::endian::native == std::endian::big)
+    for (Value& value : values) std::reverse(reinterpret_cast<char*>(&value), reinterpret_cast<char*>(&value + 1));
+  std::fwrite(values.data(), sizeof(Value), values.size(), file);
 }
 
 }  // namespace
@@ -34,7 +35,7 @@ std::string npy_header(std::int64_t nx, std::int64_t ny, const char* descr) {
 void write_npy(std::FILE* file, const std::vector<double>& values, std::int64_t nx, std::int64_t ny) {
   const std::string header = npy_header(nx, ny);
   std::fwrite(header.data(), 1, header.size(), file);
-  for (const double value : values) write_little_endian(file, std::bit_cast<std::uint64_t>(value));
+  write_little_endian(file, values);
 }
 
 void write_gsf(std::FILE* file, const Surface& surface) {
@@ -44,7 +45,7 @@ void write_gsf(std::FILE* file, const Surface& surface) {
   if (surface.periodic) header += rc::join("Periodic = ", *surface.periodic ? 1 : 0, "\n");
   header.append(4 - header.size() % 4, '\0');
   std::fwrite(header.data(), 1, header.size(), file);
-  for (const double z : surface.heights) write_little_endian(file, std::bit_cast<std::uint32_t>(static_cast<float>(z)));
+  write_little_endian(file, std::vector<float>(surface.heights.begin(), surface.heights.end()));
 }
 
 }  // namespace cli

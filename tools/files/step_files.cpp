@@ -1,5 +1,6 @@
 #include "files/step_files.h"
 
+#include <future>
 #include <limits>
 #include <string_view>
 #include <utility>
@@ -76,6 +77,14 @@ void StepFiles::write_maps(const StepRecord& step, const Fields& fields, const s
       return true;
     });
   };
+  // The picture is drawn while the arrays are written.
+  std::future<void> drawn;
+  if (can_draw_)
+    drawn = std::async(std::launch::async, [&] {
+      draw(name("contact", "png"), [&](std::FILE* file) {
+        return draw_picture({problem_.input.surface, fields.pressure, step, problem_.targets.size()}, file);
+      });
+    });
   array("pressure", fields.pressure);
   array("gap", fields.gap);
   if (!fields.indentation.empty()) array("indentation", fields.indentation);
@@ -85,10 +94,7 @@ void StepFiles::write_maps(const StepRecord& step, const Fields& fields, const s
       return true;
     });
   }
-  if (!can_draw_) return;
-  draw(name("contact", "png"), [&](std::FILE* file) {
-    return draw_picture({problem_.input.surface, fields.pressure, step, problem_.targets.size()}, file);
-  });
+  if (drawn.valid()) drawn.get();
 }
 
 void StepFiles::write(const StepRecord& step, const Fields& fields) {

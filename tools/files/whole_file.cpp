@@ -19,9 +19,20 @@ namespace {
 constexpr std::size_t random_digits = 16;
 constexpr std::string_view unfinished_ending = ".tmp";
 
-// The path of the temporary file that is being written.
-std::atomic<const fs::path::value_type*> unfinished{nullptr};
-static_assert(std::atomic<const fs::path::value_type*>::is_always_lock_free);
+using Unfinished = std::atomic<const fs::path::value_type*>;
+static_assert(Unfinished::is_always_lock_free);
+
+// The paths of the temporary files that are being written.
+Unfinished unfinished[2];
+
+// A place for a path; null: more files are being written at a time than there are places.
+Unfinished* take_place(const fs::path& path) {
+  for (Unfinished& place : unfinished) {
+    const fs::path::value_type* none = nullptr;
+    if (place.compare_exchange_strong(none, path.c_str())) return &place;
+  }
+  return nullptr;
+}
 
 [[noreturn]] void fail(const fs::path& target) {
   throw Error("cannot write ", in_quotes(target.string()), ": ", std::strerror(errno));
@@ -30,19 +41,18 @@ static_assert(std::atomic<const fs::path::value_type*>::is_always_lock_free);
 // Unlinks the file unless it was renamed away.
 class TemporaryFile {
  public:
-  explicit TemporaryFile(const fs::path& target) : target_(target), path_(temporary_for(target)) {
-    unfinished = path_.c_str();
-    stream_ = rc_platform::create_new(path_);
+  explicit TemporaryFile(const fs::path& target)
+      : target_(target), path_(temporary_for(target)), place_(take_place(path_)), stream_(rc_platform::create_new(path_)) {
     if (stream_) return;
     const int error = errno;
-    unfinished = nullptr;
+    if (place_) *place_ = nullptr;
     errno = error;
     fail(target_);
   }
   ~TemporaryFile() {
     if (stream_) std::fclose(stream_);
     if (!renamed_) rc_platform::remove_file(path_.c_str());
-    unfinished = nullptr;
+    if (place_) *place_ = nullptr;
   }
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -61,7 +71,8 @@ class TemporaryFile {
  private:
   const fs::path& target_;
   fs::path path_;
-  std::FILE* stream_ = nullptr;
+  Unfinished* place_;
+  std::FILE* stream_;
   bool renamed_ = false;
 };
 
@@ -89,7 +100,8 @@ void write_whole_file(const fs::path& path, const std::string& text) {
 }
 
 void remove_unfinished_file() noexcept {
-  if (const auto* const path = unfinished.load()) rc_platform::remove_file(path);
+  for (const Unfinished& place : unfinished)
+    if (const auto* const path = place.load()) rc_platform::remove_file(path);
 }
 
 std::string_view target_of_temporary(std::string_view name) {

@@ -79,11 +79,13 @@ SharedWaves shared_waves(const Sides& sides, const Sides& above, double n) {
 double periodic_coupling(const CouplingTable& table, const std::vector<double>& x, const std::vector<double>& y) {
   const double unit = std::sqrt(table.hx * table.hy);
   const auto nx = static_cast<double>(table.nx), ny = static_cast<double>(table.ny);
+  // Squares of the wave numbers, in waves along `unit`.
+  const auto square = [](std::size_t k, double ratio) { return std::pow(static_cast<double>(k) * ratio, 2); };
   double sum = 0;
   for (std::size_t l = 0; l < y.size(); ++l)
     for (std::size_t k = l == 0 ? 1 : 0; k < x.size(); ++k)
-      sum += x[k] * y[l] / std::hypot(static_cast<double>(k) / (nx * table.hx), static_cast<double>(l) / (ny * table.hy));
-  return table.softness / (std::numbers::pi * unit * nx * ny) * sum + table.mean;
+      sum += x[k] * y[l] / std::sqrt(square(k, unit / (nx * table.hx)) + square(l, unit / (ny * table.hy)));
+  return table.softness / (std::numbers::pi * nx * ny) * sum + table.mean;
 }
 
 }  // namespace
