@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <bit>
 #include <type_traits>
 
 #include "solvers/haar_cg/threads/pass_loops.h"
@@ -23,17 +24,10 @@ typedef std::int16_t Shorts __attribute__((vector_size(16)));
 typedef std::uint16_t HalfWords __attribute__((vector_size(16)));
 typedef std::uint64_t Eightfold;
 typedef std::uint8_t Bytes __attribute__((vector_size(8)));
-typedef std::uint8_t ManyBytes __attribute__((vector_size(16)));
 
 template <class R> struct Eight;
-template <> struct Eight<float> {
-  typedef Floats Value;
-  typedef Integers Mask;
-};
-template <> struct Eight<double> {
-  typedef Doubles Value;
-  typedef std::int64_t Mask __attribute__((vector_size(64)));
-};
+template <> struct Eight<float> { typedef Floats Value; };
+template <> struct Eight<double> { typedef Doubles Value; };
 
 // A vector at any address. It is a member of a packed struct, because compilers may drop the alignment of a type's alias.
 template <class Type> struct __attribute__((packed, may_alias)) Anywhere { Type v; };
@@ -52,9 +46,12 @@ inline Floats looked_up(const float* table, const Integers& at) {
   return found;
 }
 #define RC_LOOKUP(table, at) looked_up(table, at)
+#define RC_REGISTER 16
+#include "solvers/haar_cg/threads/choices.inc"
 #include "solvers/haar_cg/threads/matrix_loops.inc"
 #include "solvers/haar_cg/threads/pass_loops.inc"
 #include "solvers/haar_cg/threads/tree_loops.inc"
+#undef RC_REGISTER
 #undef RC_LOOKUP
 #undef RC_TARGET
 }  // namespace baseline
@@ -69,9 +66,12 @@ namespace avx2 {
   ((Floats)_mm256_blendv_ps(_mm256_permutevar8x32_ps(_mm256_loadu_ps(table), (__m256i)(at)),       \
                             _mm256_permutevar8x32_ps(_mm256_loadu_ps((table) + 8), (__m256i)(at)), \
                             _mm256_castsi256_ps(_mm256_slli_epi32((__m256i)(at), 28))))
+#define RC_REGISTER 32
+#include "solvers/haar_cg/threads/choices.inc"
 #include "solvers/haar_cg/threads/matrix_loops.inc"
 #include "solvers/haar_cg/threads/pass_loops.inc"
 #include "solvers/haar_cg/threads/tree_loops.inc"
+#undef RC_REGISTER
 #undef RC_LOOKUP
 #undef RC_TARGET
 }  // namespace avx2
@@ -79,9 +79,12 @@ namespace avx2 {
 namespace avx512 {
 #define RC_TARGET __attribute__((target("avx512f,avx512bw,avx512dq,avx512vl")))
 #define RC_LOOKUP(table, at) ((Floats)_mm256_permutex2var_ps(_mm256_loadu_ps(table), (__m256i)(at), _mm256_loadu_ps((table) + 8)))
+#define RC_REGISTER 64
+#include "solvers/haar_cg/threads/choices.inc"
 #include "solvers/haar_cg/threads/matrix_loops.inc"
 #include "solvers/haar_cg/threads/pass_loops.inc"
 #include "solvers/haar_cg/threads/tree_loops.inc"
+#undef RC_REGISTER
 #undef RC_LOOKUP
 #undef RC_TARGET
 }  // namespace avx512
