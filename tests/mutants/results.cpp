@@ -1,5 +1,6 @@
 // Results through the C interface: how they carry the certificate and the bounds.
 #include <cmath>
+#include <tuple>
 
 #include "known_answers.h"
 #include "problems.h"
@@ -49,6 +50,15 @@ void put(Figures& figures, rc_contact* contact, rc_status status, const rc_resul
   figures.exact("bounded", !std::isnan(r.load_lower));
   figures.exact("infinite", std::isinf(r.load_upper));
   figures.exact("remarks", static_cast<double>(std::string(r.note).size()));
+  figures.exact("status_of_result", r.status);
+  figures.exact("iterations", static_cast<double>(r.iterations));
+  figures.exact("levels", r.levels);
+  figures.exact("timed", r.seconds > 0 && r.setup_seconds >= 0);
+  figures.exact("kernel", sum_of(r.kernel));
+  figures.exact("area_fraction", r.area_fraction);
+  figures.near("max_pressure", r.max_pressure);
+  figures.near("mean_gap", r.approach + r.mean_gap);  // alone it may be rounding
+  figures.near("punch_stiffness", r.punch_stiffness);
   figures.near("stiffness", r.stiffness);
   double sum = 0;
   for (std::size_t i = 0; i < p.size(); ++i) sum += p[i] * static_cast<double>(i + 1) + gap[i] * static_cast<double>(2 * i + 1);
@@ -79,6 +89,7 @@ std::int32_t product_of(const double* x, double* y, std::int64_t n, void* diagon
 
 // What an earlier result left in a struct.
 void spoil(rc_result& r) {
+  r.seconds = r.setup_seconds = -5;
   r.reserved = 5;
   r.points = -5;
   r.load_lower = r.load_upper = r.duality_gap = r.area_lower = r.area_upper = -5;
@@ -182,6 +193,43 @@ void masks_that_leave_little(Figures& figures) {
     }
 }
 
+// Free edges: the rim bears more of the load than its share, or less; the largest pressure is there, or is not.
+void remarks_on_edges(Figures& figures) {
+  Small small(20, 17);
+  const auto n = static_cast<std::size_t>(small.given.nx);
+  Handle handle(small, "dense", "nnls");
+  for (const auto& [name, at_x, at_y, curvature] : {std::tuple{"centre", 10.0, 8.0, 1e-3},
+                                                    {"edge", 0.0, 8.0, 1e-2},
+                                                    {"corner", 20.0, 17.0, 1e-3},
+                                                    {"ring", 10.0, 8.0, -1e-2},
+                                                    {"punch", 0.0, 0.0, 0.0}})
+    for (const double load : {0.5, 20.0}) {
+      std::vector<double> gap(small.points()), p(gap.size()), deformed(gap.size());
+      for (std::size_t i = 0; i < gap.size(); ++i) {
+        const double x = static_cast<double>(i % n) - at_x, y = static_cast<double>(i / n) - at_y;
+        gap[i] = 2 + curvature * (x * x + y * y + 0.1 * static_cast<double>(i * i % 7));
+      }
+      rc_step step = RC_STEP_INIT;
+      step.control = RC_CONTROL_LOAD;
+      step.undeformed_gap.data = gap.data();
+      step.target = load;
+      rc_result r{};
+      r.struct_size = sizeof r;
+      r.p.data = p.data();
+      r.gap.data = deformed.data();
+      figures.section(std::string("edges/") + name + std::to_string(load));
+      const rc_status status = rc_contact_solve(handle.contact, &step, &r);
+      put(figures, handle.contact, status, r, p, deformed, true);
+      figures.exact("note", sum_of(r.note));
+      for (double& value : p) value *= 1.5;  // spoilt pressures on the rim are added up, too
+      p[0] = -1;
+      p[n + 1] = 0.3;
+      figures.section(std::string("edges_given/") + name + std::to_string(load));
+      put(figures, handle.contact, rc_contact_certify(handle.contact, &step, &r), r, p, deformed, true);
+      figures.exact("note", sum_of(r.note));
+    }
+}
+
 // Periodic, with a hardness and the approach at the mean plane, where the scale of the residual is the compression, or next to
 // it, where it is less unless some points are excluded.
 void solved_near_the_mean_plane(Figures& figures) {
@@ -220,6 +268,7 @@ void figures_of_results(Figures& figures) {
   beyond_double_precision(figures);
   stopped_far_from_the_answer(figures);
   masks_that_leave_little(figures);
+  remarks_on_edges(figures);
   solved_near_the_mean_plane(figures);
   double diagonal = 1;
   std::vector<Small> all;
