@@ -11,11 +11,11 @@ namespace cli {
 namespace {
 
 constexpr const char* solve_help = R"(
-Lengths, pressures and forces may have a unit with any SI prefix: 39nm, 210GPa, 1mN. Numbers without a unit are in m (or --unit,
-as are lengths in files without a unit), Pa and N. Results are in m, Pa and N.
+Lengths, pressures and forces may have a unit with any SI prefix: 39nm, 210GPa, 1mN. Numbers without a unit are in m, Pa and N;
+--unit gives another unit to lengths without one, also in the file. Results are in m, Pa and N.
 
-A target is a number, a list a,b,c, a range a:b:n of n points or a:b:nlog of n points with equal ratios. The highest point of
-the surface touches first; the approach is counted from there. E* is E/(1-nu^2), or with --E2 and --nu2 1/((1-nu^2)/E +
+A target is a number, a list a,b,c, or a range of n values from a to b: a:b:n with equal differences, a:b:nlog with equal ratios.
+The approach is 0 when the highest point of the surface touches. E* is E/(1-nu^2), or with --E2 and --nu2 1/((1-nu^2)/E +
 (1-nu2^2)/E2).
 
 Exit code: 0 every step is certified, 1 wrong input or a failed call, 2 a step is not certified (its results are written, marked
@@ -28,13 +28,13 @@ Command solve_command(SolveArguments& arguments) {
   add_other_body(solve, arguments.surface);
   add_shape(solve, arguments.surface);
   add_loading(solve, arguments);
-  solve.add("Loading (one of)", {{"--area", &arguments.area, "TARGETS", "Contact area, 10%: the load that gives it is found"}});
+  solve.add("Loading (one of)", {{"--area", &arguments.area, "TARGETS", "Contact area, such as 10%; the load is searched"}});
   add_method(solve, arguments);
   solve.add(
       "Output",
       {{"--out", &arguments.out, "DIR", "Folder for summary.json, steps.csv, pressure-K.npy, gap-K.npy, contact-K.png"},
        {"--no-maps", &arguments.no_maps, "", "Only summary.json, steps.csv and history.png: no arrays, no pictures of steps"},
-       {"--write", &arguments.write, "FORMATS", "Each step also as a file of these: vti, netcdf, hdf5"}});
+       {"--write", &arguments.write, "FORMATS", "Also write each step in these formats: vti, netcdf, hdf5"}});
   add_resume(solve, arguments);
   solve.add("Output", {{"--explain", &arguments.explain, "", "Print why auto chose its solver and backend"}});
   add_quiet(solve, arguments);
@@ -67,7 +67,7 @@ Command generate_command(GenerateArguments& arguments) {
       {"rmd", {"--levels", &arguments.levels, "K", "2^K points a side (default 8)"}},
       {"rmd", {"--stage", &arguments.stage, "S", "Write the coarser grid of 2^S points a side of the same surface"}},
       {"", {"--pitch", &arguments.pitch, "H or HX,HY", "Cell size (default 1; rmd: of the finest grid)"}},
-      {"", {"--unit", &arguments.unit, "UNIT", "Unit of .npy files and of lengths without one: m (default), mm, um, nm, pm"}},
+      {"", {"--unit", &arguments.unit, "UNIT", "Unit of .npy files and of lengths without a unit: m (default), mm, um, nm, pm"}},
       {"rmd spectral noise", {"--seed", &arguments.seed, "N", "Random seed (default 1)"}},
       {"rmd spectral", {"--hurst", &arguments.hurst, "H", "Hurst exponent (default 0.7 for rmd, 0.8 for spectral)"}},
       {"rmd spectral noise", {"--rms-height", &arguments.rms_height, "LENGTH", "rms height (default 1 for rmd and noise)"}},
@@ -77,7 +77,7 @@ Command generate_command(GenerateArguments& arguments) {
       {"spectral", {"--shortest", &arguments.shortest, "LENGTH", "Shortest wavelength (default: two pitches)"}},
       {"sphere", {"--radius", &arguments.radius, "LENGTH", "Radius"}},
       {"waves pyramids", {"--height", &arguments.height, "LENGTH", "Amplitude of waves, height of pyramids (default 1)"}},
-      {"waves pyramids", {"--period", &arguments.period, "P or PX,PY", "Period; 0: none along this direction"}},
+      {"waves pyramids", {"--period", &arguments.period, "P or PX,PY", "Period; 0: constant along this axis"}},
       {"rmd", {"--vertices", &arguments.vertices, "", "All 2^K + 1 points a side"}},
       {"rmd", {"--additions", &arguments.additions, "", "Random additions to all points at every stage"}},
       {"spectral", {"--fixed-amplitudes", &arguments.fixed_amplitudes, "", "Only phases are random"}},

@@ -6,10 +6,10 @@ void add_surface(Command& command, SurfaceArguments& surface, const char* missin
   const char* const file_help = rows ? "File of heights, .npy" : "File of heights, see roughcontact formats";
   command.options.push_back({"SURFACE", &surface.file, "TEXT", file_help});
   if (!rows) {
-    command.add("Surface", {{"--format", &surface.format, "NAME", "File format, if neither contents nor extension show it"}});
+    command.add("Surface", {{"--format", &surface.format, "NAME", "File format, if neither contents nor extension shows it"}});
   }
-  command.add("Surface", {{"--pitch", &surface.pitch, "H or HX,HY", "Cell size, if the file has none"},
-                          {"--unit", &surface.unit, "UNIT", "Unit of lengths without one: m (default), mm, um, nm, pm"},
+  command.add("Surface", {{"--pitch", &surface.pitch, "H or HX,HY", "Cell size; needed if the file has none"},
+                          {"--unit", &surface.unit, "UNIT", "Unit of lengths without a unit: m (default), mm, um, nm, pm"},
                           {"--missing", &surface.missing, "RULE", missing_help}});
   if (!rows) {
     command.add("Surface",
@@ -63,7 +63,7 @@ void add_method(Command& command, SolveArguments& arguments, const char* threads
 }
 
 void add_resume(Command& command, SolveArguments& arguments) {
-  command.add("Output", {{"--resume", &arguments.resume, "", "Continue after the steps that an earlier run finished in --out"}});
+  command.add("Output", {{"--resume", &arguments.resume, "", "Continue the earlier run in --out after its last finished step"}});
 }
 
 void add_quiet(Command& command, SolveArguments& arguments) {

@@ -205,7 +205,7 @@ def law(
     """The contact law of a rough patch.
 
     pressure: nominal pressures (lower, upper) between which the tolerance holds [force/length^2]
-    tolerance, conductance_tolerance: half the width of the bounds, relative; 0: the conductance as it comes
+    tolerance, conductance_tolerance: half the distance between the bounds, relative; conductance_tolerance=0: no limit
     bulk: "auto", "none", "mean", or a stiffness [force/length], see `rc_law_spec`
     check_status: False: a law whose tolerance is not proven is returned, with its status, instead of a `NotCertifiedError`
     The others are those of `solve`, and of `rc_law_spec`.

@@ -69,7 +69,7 @@ def parser() -> Parser:
     made.add_argument("--out", default="report.html", metavar="PAGE", help="the page to write (report.html)")
     made.add_argument("--format", metavar="NAME", help="format of the file, where contents and extension do not say it")
     made.add_argument("--pitch", metavar="H or HX,HY", help="cell size, where the file does not say it")
-    made.add_argument("--unit", choices=[*METRES], help="unit of lengths without one (m)")
+    made.add_argument("--unit", choices=[*METRES], help="unit of lengths without a unit (m)")
     made.add_argument("--missing", choices=["reject", "fill", "exclude"], default="reject", help="missing points")
     made.add_argument(
         "--remove", choices=["none", "mean", "plane", "quadric"], default="none", help="least-squares form to take off (none)"
