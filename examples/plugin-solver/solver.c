@@ -87,7 +87,7 @@ static rc_status solve(const rc_host* host, const rc_problem* problem, const rc_
   return status;
 }
 
-/* What `auto` compares: about 30 products for each digit, so that it is for rough answers. */
+/* The estimate that `auto` compares: about 30 products for each digit, so spg suits rough answers. */
 static rc_status score(const rc_facts* facts, rc_estimate* estimate) {
   const double products = 30 * -log10(facts->tol);
   if (facts->tol < 1e-6) return facts->host->fail(facts->host, RC_ERR_INCOMPATIBLE, "for tol of 1e-6 and above");
