@@ -21,7 +21,7 @@ class Pairs {
     roughcontact::check(host->coefficients(host, spec.system, spec.kernel, nx_, ny_, table_.data()));
   }
 
-  // What `auto` compares: counts times the seconds that one takes, measured once.
+  // The estimate that `auto` compares: counts times the seconds that one takes, measured once.
   static void score(const rc_facts& facts, rc_estimate& estimate) {
     constexpr double pair = 1.5e-9;  // [s]
     const auto n = static_cast<double>(facts.n), points = static_cast<double>(facts.system->nx * facts.system->ny);

@@ -8,7 +8,7 @@
 extern "C" {
 #endif
 
-/** How large a contact is, by rc_area_measure. All of it is written. */
+/** Area and perimeter of a contact, by rc_area_measure. The library writes every member. */
 typedef struct rc_area {
   size_t struct_size;
   int64_t contacts;     /* points with p > 0                                                                         */
@@ -56,17 +56,17 @@ typedef struct rc_histogram {
 } rc_histogram;
 #define RC_HISTOGRAM_INIT RC_BEGIN(rc_histogram)
 
-/** Whether a contact and the open gap around it reach across the surface, by rc_crossing_find. All of it is written. */
+/** Whether the contact, and the open gap, connect opposite sides of the grid, by rc_crossing_find. All members are written. */
 typedef struct rc_crossing {
   size_t struct_size;
-  int32_t contact_x, contact_y; /* 1: a connected part of the contact reaches across along x, along y; 0: none does  */
+  int32_t contact_x, contact_y; /* 1: a connected part of the contact connects the sides along x, along y; 0: none   */
   int32_t gap_x, gap_y; /* the same for the points without contact                                                   */
 } rc_crossing;
 #define RC_CROSSING_INIT RC_BEGIN(rc_crossing)
 
 /** @defgroup analysis Analysis: area, patches, histogram, percolation
- *  Functions only of pressures, the caller's or a result's, without handles; any thread. Of the system nx, ny, hx, hy and the
- *  boundary count: RC_BOUNDARY_PERIODIC joins opposite sides of the grid, _X and _Y those of their axis. For DENSE and CALLBACK
+ *  Functions of pressures, the caller's or a result's, without handles; any thread. Of the system they use nx, ny, hx, hy and the
+ *  boundary: RC_BOUNDARY_PERIODIC joins opposite sides of the grid, _X and _Y those of their axis. For DENSE and CALLBACK
  *  the points are taken as a free grid of nx by ny. p [nx*ny]: >= 0; a point is in contact where p > 0. mask [nx*ny]: 0: not in
  *  contact, its p is ignored (it may be NaN); NULL: all points. Nothing is written by a call that fails. The same bits in every
  *  run.
@@ -84,8 +84,8 @@ RC_API rc_status rc_area_measure(const rc_system *system, const double *p, const
 RC_API rc_status rc_patches_find(const rc_system *system, const double *p, const uint8_t *mask, rc_patches *out);
 /** Pressure histogram. Sums to 1 with `above`, see rc_histogram. */
 RC_API rc_status rc_histogram_fill(const rc_system *system, const double *p, const uint8_t *mask, rc_histogram *out);
-/** Percolation of contact and gap. A connected part reaches across a free grid if it touches both opposite sides, across a
- *  periodic one if it meets itself again after one period. Points are connected across edges; a masked point is neither contact
+/** Percolation of contact and gap. A connected part crosses a free grid if it touches both opposite sides, and a periodic one if
+ *  it connects with itself after one period. Points are connected across edges; a masked point is neither contact
  *  nor gap. Memory: 32 bytes for each row of neighbouring cells in contact, or of those without. */
 RC_API rc_status rc_crossing_find(const rc_system *system, const double *p, const uint8_t *mask, rc_crossing *out);
 /** Electrical or thermal conductance of the contact between two half-spaces: 2 / (E* (rho1 + rho2)) dW/dd (Barber, Proc. R. Soc.

@@ -1,12 +1,12 @@
 /* roughcontact-formats: surfaces from the files of instruments and programs. A library of its own (libroughcontact-formats),
  * so that a program that only solves contacts does not link libzip, pugixml and zlib. All of them have permissive licences.
  *
- * Which files are read, and what is taken from each: docs/surface-files.md. Lengths are in metres, whatever the file's unit;
- * heights point towards the other body, x fastest, point (ix, iy) at index iy*nx + ix.
+ * docs/surface-files.md lists the formats. Lengths are in metres, also of files in other units;
+ * heights increase towards the other body, x fastest, point (ix, iy) at index iy*nx + ix.
  *
  * Functions that return an rc_status return RC_OK or a negative one, with the text in rc_surface_read_last_error(). All of them
  * are thread-safe, keep nothing and print nothing. What they write to is written only if RC_OK is returned. Sized structs: see
- * roughcontact.h. A file takes no more memory than its size justifies, whatever its header says.
+ * roughcontact.h. The memory for a file is limited by its size, not by its header.
  */
 #ifndef ROUGHCONTACT_FORMATS_H
 #define ROUGHCONTACT_FORMATS_H
@@ -23,7 +23,7 @@ RC_API const char *rc_surface_read_last_error(void);
 
 /** @defgroup read Surfaces from files  @{ */
 
-/** What overrides or completes the file. */
+/** Values that override or complete the file. */
 typedef struct rc_surface_read_spec {
   size_t struct_size;  /* sizeof(rc_surface_read_spec)                                                       */
   const char *format;  /* name of a format; NULL: by the contents, else by the suffix of the file's name     */
@@ -43,7 +43,7 @@ typedef struct rc_surface_file {
   int32_t periodic;    /* 1: the surface repeats; 0: the file says that it does not; -1: the file does not say */
   int32_t reserved;
   char format[32];     /* name of the format that was recognised                                             */
-  char assumed[400];   /* what the file leaves open and how it was taken, one sentence after the other; "" if nothing */
+  char assumed[400];   /* assumptions about what the file leaves open, one sentence after the other; "" if none       */
   void *storage;       /* the library's own                                                                 */
 } rc_surface_file;
 #define RC_SURFACE_FILE_INIT \

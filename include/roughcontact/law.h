@@ -1,19 +1,19 @@
 /* roughcontact: the contact law of a rough patch, as a table that is proven between its nodes.
  *
  * A law is the nominal pressure p of a rough patch as a function of its overclosure x, with slope, energy, contact area and
- * conductance. The patch is solved at some tens of nodes; after that no contact problem is solved. A law never changes once it
- * is made: any number of threads evaluate it at the same time, without locks and without memory of their own.
+ * conductance. The patch is solved at some tens of loads, the nodes; an evaluation solves no contact problem. A law
+ * never changes: any number of threads evaluate it at the same time, without locks and without memory of their own.
  *
  * Overclosure. x = 0 is first touch of the undeformed bodies, x > 0 brings them nearer. The deflection of the half-space below the
  * patch as a whole is not in x, because the mesh of a finite element program has it already:
  *   periodic boundaries   x = approach: it is the change of the gap between the mean planes, and nothing is subtracted.
  *   others                x = change of the mean gap, or approach - load / (a given stiffness), see rc_law_spec.bulk.
  *
- * Bounds. Where the contact sets of two neighbouring nodes are nested, p is convex between them: it lies above both tangents and
+ * Bounds. If the contact sets of two neighbouring nodes are nested, p is convex between them: it lies above both tangents and
  * below the chord (RC_LAW_CONVEX). With a hardness the slope lies between those of two contact sets (RC_LAW_SLOPES). Otherwise p
- * is only known to rise from one node to the next (RC_LAW_MONOTONE). That sets grow steadily from one node to the next is checked
- * at the nodes. Bounds are widened by the intervals that the library proves at the nodes (rc_result.load_lower ..
- * stiffness_upper). They are about the discrete problem: this grid, this kernel.
+ * is only known to rise from one node to the next (RC_LAW_MONOTONE). The library checks at the nodes that the sets grow from one
+ * node to the next, and assumes it in between. Bounds are widened by the intervals that are proven at the nodes
+ * (rc_result.load_lower .. stiffness_upper). They hold for the discrete problem: this grid, this kernel.
  *
  * Between the nodes p is a C1 quadratic spline with one knot in each interval, where the tangents meet. It has the nodes' values
  * and slopes, is convex where they are, and so stays inside the bounds. Only where a node lies on a kink of the exact curve, at
@@ -44,7 +44,7 @@ typedef struct rc_law_spec {
   double area;           /* nominal area that p refers to [length^2], not less than that of the points; 0: nx hx ny hy */
   double p_lower, p_upper; /* the tolerances hold between these nominal pressures [force/length^2], 0 < lower < upper */
   double tolerance;      /* half the width of the bounds of p, over p: 1e-6 .. 0.1; 1e-3 unless set                   */
-  double tolerance_conductance; /* the same for the conductance, 1e-4 .. 1: more nodes. 0: as it comes (default)      */
+  double tolerance_conductance; /* the same for the conductance, 1e-4 .. 1: more nodes. 0: no limit (default)         */
   int32_t bulk;          /* RC_LAW_BULK_*. NONE: x = approach. GIVEN: x = approach - load / bulk_stiffness. MEAN, not for
                             periodic boundaries: x = change of the mean gap. AUTO: MEAN for other half-spaces, else NONE */
   int32_t reserved;      /* 0                                                                                         */
@@ -128,8 +128,8 @@ RC_API rc_status rc_law_evaluate(const rc_law *law, double x, rc_law_point *out)
 /** @} */
 
 /** @defgroup law_files Files
- *  Written to a temporary file beside it, which is then renamed: there is never half a file. What is there already and is no
- *  file is refused. Paths are UTF-8.
+ *  A file is written under a temporary name and then renamed, so there is never half a file. A path that exists and is not a
+ *  regular file is refused. Paths are UTF-8.
  *  @{ */
 /** A text file with every bit of the law and a checksum. Errors: ARGUMENT (the file cannot be written). */
 RC_API rc_status rc_law_save(const rc_law *law, const char *path);

@@ -28,26 +28,26 @@ extern "C" {
 /** A contact of which this rank has some rows. Used by the thread that MPI allows to call it. */
 typedef struct rc_mpi_contact rc_mpi_contact;
 
-/** Which rows this rank has: first .. first + count - 1, in the order of ranks. No communication. Rows are handed
- *  out in pieces of 2^k, k = min(5, log2(ny) / 2) rounded down, so a rank may have none. Errors: ARGUMENT (also null
+/** The rows of this rank: first .. first + count - 1, in the order of ranks. No communication. Rows are
+ *  distributed in pieces of 2^k, k = min(5, log2(ny) / 2) rounded down, so a rank may have none. Errors: ARGUMENT (also null
  *  communicators and intercommunicators). */
 RC_API rc_status rc_mpi_rows(MPI_Comm comm, const rc_system *system, int64_t *first, int64_t *count);
 
 /** Every rank of the communicator calls the functions below, with its own rows in the arrays (n = nx * count values) and the same
- *  values in all else. Where a rank has no rows, arrays are not read. If one rank fails, all return its status, and the message
- *  begins with its number. The communicator is duplicated. What else may fail, and which options there are: see
+ *  values in all else. Arrays of a rank without rows are not read. If one rank fails, all return its status, and the message
+ *  begins with its number. The communicator is duplicated. Options and other failures: see
  *  rc_ranks_contact_create. */
 RC_API rc_status rc_mpi_contact_create(MPI_Comm comm, const rc_system *system, const rc_options *options, rc_mpi_contact **out);
 /** Frees the duplicate of the communicator, so all ranks call it before MPI_Finalize. NULL is ignored. */
 RC_API void rc_mpi_contact_destroy(rc_mpi_contact *contact);
-/** As rc_contact_solve. What the result says besides p and gap is of the whole grid, and the same on every rank but for seconds.
- *  Errors: as rc_contact_solve, EXTERNAL. */
+/** As rc_contact_solve. All members of the result but p and gap are those of the whole grid, and except for seconds the same on
+ *  every rank. Errors: as rc_contact_solve, EXTERNAL. */
 RC_API rc_status rc_mpi_contact_solve(rc_mpi_contact *contact, const rc_step *step, rc_result *result);
 /** As rc_contact_solve_history. */
 RC_API rc_status rc_mpi_contact_solve_history(rc_mpi_contact *contact, rc_history *path);
 /** As rc_contact_certify. */
 RC_API rc_status rc_mpi_contact_certify(rc_mpi_contact *contact, const rc_step *step, rc_result *result);
-/** What this rank has sent and received for the contact. No communication. Errors: ARGUMENT. */
+/** Numbers and bytes of this rank's exchanges since the contact was created. No communication. Errors: ARGUMENT. */
 RC_API rc_status rc_mpi_contact_counts(rc_mpi_contact *contact, rc_ranks_counts *out);
 
 /** The same for a communicator's Fortran handle: MPI_Comm_c2f(comm) in C, comm%MPI_VAL in Fortran, comm.py2f() in mpi4py. */

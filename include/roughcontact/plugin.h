@@ -95,7 +95,7 @@ struct rc_rows {
   rc_status (*agree)(const rc_rows *, rc_status mine);
 };
 
-/** What an operator is built for. Valid as long as the operator. */
+/** The problem for which an operator is built. Valid as long as the operator. */
 typedef struct rc_operator_spec rc_operator_spec;
 struct rc_operator_spec {
   size_t struct_size;
@@ -463,7 +463,7 @@ typedef struct rc_solver {
   rc_status (*solve_many)(const rc_host *, rc_many *, const rc_options *);
 } rc_solver;
 
-/* What a kernel is defined for, and what it promises. */
+/* Boundaries for which a kernel is defined, and its promises. */
 #define RC_KERNEL_FREE (UINT64_C(1) << 0)      /* free boundaries: has window()                                          */
 #define RC_KERNEL_PERIODIC (UINT64_C(1) << 1)  /* periodic boundaries: has symbol()                                      */
 #define RC_KERNEL_SQUARE (UINT64_C(1) << 2)    /* cells must be square                                                   */
@@ -474,7 +474,7 @@ typedef struct rc_solver {
 
 typedef struct rc_kernel rc_kernel;
 
-/** What a kernel's values are asked for. Valid during the call. */
+/** A request for a kernel's values. Valid during the call. */
 typedef struct rc_kernel_spec {
   size_t struct_size;
   const rc_kernel *kernel;

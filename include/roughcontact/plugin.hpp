@@ -55,7 +55,7 @@ struct Component {
   const char* on_out_of_memory;  // what the user can do about it
 };
 
-// What a component throws; guard() turns it into a status and a message.
+// The exception of a component; guard() turns it into a status and a message.
 struct Failure {
   rc_status code;
   std::string message;  // empty: the host has set it already

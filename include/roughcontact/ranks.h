@@ -12,14 +12,14 @@ extern "C" {
 #endif
 
 /** @defgroup ranks Ranks: processes that share a grid  @{ */
-/** How the ranks exchange what they have. All ranks call the same function at the same time, on the thread that called
+/** Communication between the ranks. All ranks call the same function at the same time, on the thread that called
  *  rc_ranks_*; a function returns when this rank's part is done. NULL: done; else a text that says what failed, which lives until
  *  the next call. No exception may leave them. Counts are in bytes and may be 0. */
 typedef struct rc_exchange {
   size_t struct_size;
   int64_t rank, ranks; /* 0 <= rank < ranks                                                                          */
   void *user;          /* handed to the functions                                                                    */
-  /** What all ranks have, in the order of ranks: bytes[r] of rank r [ranks]. `mine` may be its place in `all`. */
+  /** Gathers bytes[r] bytes of each rank r, in the order of ranks, on every rank. `mine` may be this rank's place in `all`. */
   const char *(*gather)(void *user, const void *mine, const int64_t *bytes, void *all);
   /** Rank r gets sent[r] bytes of `from`, and gives received[r] bytes of `into`; the parts lie in the order of ranks. */
   const char *(*transpose)(void *user, const void *from, const int64_t *sent, void *into, const int64_t *received);
@@ -32,7 +32,7 @@ typedef struct rc_exchange {
 /** A contact of which this process has some rows. One thread at a time. */
 typedef struct rc_ranks_contact rc_ranks_contact;
 
-/** What the exchange has carried since the contact was made, on this rank. */
+/** Numbers and bytes of this rank's exchanges since the contact was created. */
 typedef struct rc_ranks_counts {
   size_t struct_size;
   int64_t products;       /* with H, distributed ones                                                               */
@@ -48,16 +48,16 @@ typedef struct rc_ranks_counts {
 } rc_ranks_counts;
 #define RC_RANKS_COUNTS_INIT RC_BEGIN(rc_ranks_counts)
 
-/** Which rows of the system's grid a rank has: rows first .. first + count - 1 of ny, in the order of ranks. Rows are
- *  handed out in pieces of 2^k, k = min(5, log2(ny) / 2) rounded down, so a rank may have none. Errors: ARGUMENT. */
+/** The rows of the system's grid that a rank has: first .. first + count - 1 of ny, in the order of ranks. Rows are distributed in
+ *  pieces of 2^k, k = min(5, log2(ny) / 2) rounded down, so a rank may have none. Errors: ARGUMENT. */
 RC_API rc_status rc_ranks_rows(int64_t rank, int64_t ranks, const rc_system *system, int64_t *first, int64_t *count);
 
 /** Every rank calls these functions, with its own rows in the arrays (iy counts from its first row, n = nx * count) and the same
- *  values in all else. Where a rank has none, arrays are not read. If one rank fails, all return its status, and the message
+ *  values in all else. Arrays of a rank without rows are not read. If one rank fails, all return its status, and the message
  *  begins with its number.
  *
- *  system: a half-space. Systems whose smaller side is below 32 points are solved by every rank alike, and sparse contact is, on
- *  gathered tiles, with products of all ranks where it is periodic. Ranks that disagree on system, options or version are refused:
+ *  system: a half-space. If its smaller side is below 32 points, every rank solves the whole problem. Every rank also solves sparse
+ *  contact, on gathered tiles, in periodic systems with products of all ranks. Different systems, options or versions are refused:
  *  ARGUMENT. options: as for rc_contact_create; threads: of each rank. `solver` must be auto or haar-cg, `backend` auto or one that
  *  works on rows (fft), `accuracy` 0, `certify_backend` and `warmup` not set: else INCOMPATIBLE. All of exchange but what user
  *  points to is copied. Errors: as rc_contact_create, EXTERNAL. */
@@ -65,8 +65,8 @@ RC_API rc_status rc_ranks_contact_create(const rc_exchange *exchange, const rc_s
                                          rc_ranks_contact **out);
 /** One rank may call it without the others. */
 RC_API void rc_ranks_contact_destroy(rc_ranks_contact *contact);
-/** As rc_contact_solve, with local rows in step and result. What the result says besides p and gap is of the whole grid, and the
- *  same on every rank but for seconds. Errors: as rc_contact_solve, EXTERNAL. */
+/** As rc_contact_solve, with local rows in step and result. Except for p and gap, the result is that of the whole grid, and except
+ *  for seconds the same on every rank. Errors: as rc_contact_solve, EXTERNAL. */
 RC_API rc_status rc_ranks_contact_solve(rc_ranks_contact *contact, const rc_step *step, rc_result *result);
 /** As rc_contact_solve_history, with local rows. */
 RC_API rc_status rc_ranks_contact_solve_history(rc_ranks_contact *contact, rc_history *path);

@@ -126,7 +126,7 @@ enum {
 #define RC_FAILED(status) ((status) < 0)
 /** "RC_ERR_SHAPE" and the like; "RC_STATUS_UNKNOWN" for other numbers; never NULL. */
 RC_API const char *rc_status_name(rc_status status);
-/** What a status means, one sentence; never NULL. */
+/** The meaning of a status, one sentence; never NULL. */
 RC_API const char *rc_status_text(rc_status status);
 /** The calling thread's last failure or stop, as "where: what, value, limit, what to do"; "" if the last call
  *  returned RC_OK. Valid until the thread's next call of a function that returns rc_status. */
@@ -145,7 +145,7 @@ enum { RC_NATIVE = 0, RC_SINGLE = 1 };
 typedef struct rc_array {
   void *data;          /* NULL: no array                                                                             */
   int32_t type;        /* RC_NATIVE: the type that the member's description names, double unless said otherwise;
-                          RC_SINGLE: float, in place of double                                                       */
+                          RC_SINGLE: float instead of double                                                         */
   int32_t reserved;    /* 0                                                                                          */
   const char *memory;  /* where data lies. NULL: in the host's memory. "cuda" or another backend with a device: in that
                           device's memory; values are copied after all earlier work on the device is done             */
@@ -164,7 +164,7 @@ enum { RC_OPERATOR_HALFSPACE = 1, RC_OPERATOR_DENSE = 2, RC_OPERATOR_CALLBACK = 
 enum { RC_BOUNDARY_FREE = 1, RC_BOUNDARY_PERIODIC = 2, RC_BOUNDARY_PERIODIC_X = 3, RC_BOUNDARY_PERIODIC_Y = 4 };
 enum { RC_CONTROL_APPROACH = 1, RC_CONTROL_LOAD = 2 };
 
-/** What stays fixed over a loading sequence. Copied; `dense` and `user` must outlive the contact. */
+/** The bodies and the grid, fixed over a loading history. Copied; `dense` and `user` must outlive the contact. */
 typedef struct rc_system {
   size_t struct_size;  /* sizeof(rc_system)                                                                          */
   int32_t op;          /* RC_OPERATOR_*; the half-space unless set                                                   */
@@ -181,11 +181,11 @@ typedef struct rc_system {
   int32_t (*apply)(const double *x, double *y, int64_t n, void *user); /* CALLBACK: y = H x, symmetric positive
                           definite; return nonzero to fail; must return: no exception, no longjmp; called on the solving thread */
   void *user;          /* handed to apply                                                                            */
-  double hardness;     /* the largest pressure c [force/length^2], for every op; 0 or infinite: all is elastic       */
+  double hardness;     /* the largest pressure c [force/length^2], for every op; 0 or infinite: none                 */
 } rc_system;
 #define RC_SYSTEM_INIT RC_BEGIN_WITH(rc_system, op = RC_OPERATOR_HALFSPACE)
 
-/** What changes from step to step. Nothing in it is kept after the call except a copy of the undeformed gap and mask, or with
+/** One step: target, start and arrays. After the call the library keeps only a copy of the undeformed gap and mask, or with
  *  borrow the two pointers. */
 typedef struct rc_step {
   size_t struct_size;  /* sizeof(rc_step)                                                                            */
@@ -371,17 +371,17 @@ typedef int32_t (*rc_progress_fn)(const rc_progress *, void *user); /* return no
 
 /** One shot: create, solve, destroy. options may be NULL. */
 RC_API rc_status rc_solve(const rc_system *system, const rc_step *step, const rc_options *options, rc_result *result);
-/** Checks the system, the options and the names in the core's; those in options of components (cmr.inner) are
- *  looked up by the step that uses them. A caller's matrix is read and a caller's product is tried
- *  once. Operators are built by the steps that need them. options may be NULL (defaults, default context); they are
- *  copied. Errors: ARGUMENT, SHAPE, OPTION, INCOMPATIBLE, NO_BACKEND, NO_SOLVER, PLUGIN, MEMORY, NUMERIC, EXTERNAL. */
+/** Checks the system, the options and the names of components; a name in a component's option (cmr.inner) is checked by the step
+ *  that uses it. A caller's matrix is read, and a caller's product is called once. Operators are built by the steps that need
+ *  them. options may be NULL (defaults, default context); they are copied. Errors: ARGUMENT, SHAPE, OPTION,
+ *  INCOMPATIBLE, NO_BACKEND, NO_SOLVER, PLUGIN, MEMORY, NUMERIC, EXTERNAL. */
 RC_API rc_status rc_contact_create(const rc_system *system, const rc_options *options, rc_contact **out);
 RC_API void rc_contact_destroy(rc_contact *contact);
 /** Solves one step and certifies the answer. A failed or stopped step keeps the last certified pressures as
  *  the next warm start. Errors: ARGUMENT, INFEASIBLE, INCOMPATIBLE, NO_BACKEND, MEMORY, NUMERIC, EXTERNAL, BUSY. */
 RC_API rc_status rc_contact_solve(rc_contact *contact, const rc_step *step, rc_result *result);
-/** Certifies the pressures that the caller puts in result->p ([n]) for this step:
- *  nothing is solved. In load control the approach is the one that fits them best. RC_OK or RC_UNCERTIFIED. */
+/** Certifies the pressures that the caller puts in result->p ([n]) for this step, without a solve. In load control the approach
+ *  is the one that fits them best. RC_OK or RC_UNCERTIFIED. */
 RC_API rc_status rc_contact_certify(rc_contact *contact, const rc_step *step, rc_result *result);
 /** The grid of the last step's answer, and its estimated errors. An rc_history_fn may call it for the step that it
  *  receives. Errors: ARGUMENT (no answer: no step yet, or it failed), BUSY. */
@@ -398,8 +398,8 @@ RC_API rc_status rc_contact_set_options(rc_contact *contact, const rc_options *o
 RC_API rc_status rc_contact_on_progress(rc_contact *contact, rc_progress_fn fn, void *user, int64_t every);
 /** Stops the running solve soon, or the next one if none runs. Any thread, or a signal handler. NULL ignored. */
 RC_API void rc_contact_cancel(rc_contact *contact);
-/** Why "auto" chose what it did in the last step on the given grid: a line for each solver and backend with the seconds and
- *  bytes that they estimate, or the reason why they cannot. *out: "" if no step has needed a solver; lives until the
+/** The reasons for the choice of "auto" in the last step on the given grid: a line for each solver and backend with its estimate
+ *  of seconds and bytes, or the reason why it cannot. *out: "" if no step has needed a solver; lives until the
  *  contact is next used or destroyed. Errors: ARGUMENT, MEMORY, BUSY. */
 RC_API rc_status rc_contact_explain(rc_contact *contact, const char **out);
 /** Forgets the surface, its plastic indentation, last pressures and factors; keeps plans and tables of transforms. Errors: BUSY. */

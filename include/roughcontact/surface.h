@@ -1,4 +1,4 @@
-/* roughcontact-surface: making and judging rough surfaces. A library of its own (libroughcontact-surface), so that a
+/* roughcontact-surface: generation and analysis of rough surfaces. A separate library (libroughcontact-surface), so that a
  * program that only solves contacts does not link the GNU Scientific Library.
  *
  * Licence: this library's own code is BSD-3-Clause, but it links GSL, so a program that links it is subject to the
@@ -19,7 +19,7 @@
  * are thread-safe and keep nothing; the caller owns every array. Arrays are written only if RC_OK is returned. Sized
  * structs: see roughcontact.h. GSL's error handler is neither used nor changed.
  *
- * Reproducibility: the same numbers come from every call, whatever the thread. Midpoint displacement and noise are bitwise
+ * Reproducibility: the same numbers come from every call, in any thread. Midpoint displacement and noise are bitwise
  * equal on all machines with IEEE 754 doubles (integers, + - * / and square roots only); the others use the platform's
  * sine, cosine and power functions and agree to 1e-12 of the rms height.
  */
@@ -108,7 +108,7 @@ RC_API rc_status rc_surface_shape(const rc_surface_shape_spec *spec, double *out
 /** @defgroup analyze Analysis  @{ */
 
 enum { RC_SURFACE_TREND_AUTO = 0, RC_SURFACE_TREND_MEAN = 1, RC_SURFACE_TREND_PLANE = 2 };
-/** A surface to be judged; heights are only read. */
+/** A surface to be analysed; heights are only read. */
 typedef struct rc_surface_map {
   size_t struct_size;    /* sizeof(rc_surface_map)                                                           */
   int64_t nx, ny;        /* points, >= 1                                                                    */
@@ -147,7 +147,7 @@ RC_API rc_status rc_surface_analyze(const rc_surface_map *map, rc_surface_statis
  *  Errors: ARGUMENT (capacity too small), SHAPE, MEMORY. Non-powers of two cost some five times more. */
 RC_API rc_status rc_surface_psd(const rc_surface_map *map, double *q, double *psd, int64_t *modes, int64_t *count);
 
-/** What the spectrum is like. Found on the radial PSD in bins of a quarter octave up to pi / max(hx, hy). */
+/** Features of the spectrum, from the radial PSD in bins of a quarter octave up to pi / max(hx, hy). */
 #define RC_SURFACE_PEAKS 4
 typedef struct rc_surface_power_law {
   size_t struct_size;
@@ -168,23 +168,23 @@ typedef struct rc_surface_power_law {
 /** Errors: as rc_surface_analyze; ARGUMENT for a flat map. */
 RC_API rc_status rc_surface_fit(const rc_surface_map *map, rc_surface_power_law *out);
 
-/** Whether cascade multi-resolution (Bemporad & Paggi 2015, section 5) without a check of what it left out can be trusted
- *  on this surface. It finds contacts only near contacts of a coarser grid. Decisive is the share of the roughness *within
- *  reach of the other body* that the coarsest grid does not see: of the points higher than max - approach, the
- *  variance of what block means cannot show over the variance of the heights. */
+/** Whether cascade multi-resolution (Bemporad & Paggi 2015, section 5) without a check of omitted points can be trusted
+ *  on this surface. It finds contacts only near contacts of a coarser grid. The criterion is the share of the roughness *within
+ *  reach of the other body* that the coarsest grid does not resolve: over the points higher than max - approach, the
+ *  variance that block means leave out, divided by the variance of the heights. */
 typedef struct rc_surface_cmr {
   size_t struct_size;
   int32_t trustworthy;      /* 1: unresolved <= limit                                                        */
   int32_t levels;           /* halvings of the grid, as asked                                                */
   int32_t safe_levels;      /* the largest number of halvings, up to levels, for which it is trustworthy      */
   int32_t reserved;
-  double unresolved;        /* share within reach of what the coarsest grid does not see; about 0 .. 1.5      */
+  double unresolved;        /* share within reach that the coarsest grid does not resolve; about 0 .. 1.5     */
   double limit;             /* 0.5, from trials: see docs/surfaces.md                                          */
   double unresolved_overall; /* the same share over the whole surface                                        */
   double peak_loss;         /* by how much sub-sampling lowers the highest point, over the approach          */
   double approach;          /* [length], as used                                                             */
   double coarsest_pitch;    /* the larger one [length]                                                       */
-  char reason[400];         /* the verdict in words, with the numbers                                        */
+  char reason[400];         /* the advice in words, with the numbers                                         */
 } rc_surface_cmr;
 #define RC_SURFACE_CMR_INIT \
   { sizeof(rc_surface_cmr), 0, 0, 0, 0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, "" }
