@@ -49,7 +49,7 @@ void check_pitch(double hx, double hy) {
     if (!(h > 0) || !std::isfinite(h)) fail(RC_ERR_ARGUMENT, "hx = ", hx, ", hy = ", hy, " must be positive and finite");
 }
 
-// What the file leaves open, and what the caller has put in the place of what it says.
+// Sentences on what the file leaves open, and on values of the file that the caller has replaced.
 std::string assumptions(const Surface& surface, const rc_surface_read_spec& spec, bool pitch_replaced) {
   std::string text;
   const auto add = [&text](const std::string& sentence) {

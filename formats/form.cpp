@@ -43,7 +43,7 @@ void remove_form(Form form, Surface& surface) {
   if (form == Form::none) return;
   const int count = number_of_terms(form);
 
-  // A second pass removes what rounding in the first one left, if heights are small beside their mean.
+  // If heights are small compared with their mean, a second pass removes the rounding error of the first one.
   for (int pass = 0; pass < 2; ++pass) {
     Eigen::Matrix<double, most_terms, most_terms> products = decltype(products)::Zero();
     Terms moments = Terms::Zero();

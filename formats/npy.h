@@ -22,8 +22,8 @@ struct NpyLayout {
   double number(const char* bytes) const { return load(bytes, order); }
 };
 
-// Of a file that begins with these bytes; 12 + npy_longest_header are enough. Throws an Error that says what is wrong with the
-// header. It does not know whether the data are there.
+// The layout of a file that begins with these bytes; 12 + npy_longest_header are enough. Throws an Error that names the fault of
+// the header. Does not check whether the data are complete.
 NpyLayout npy_layout(std::string_view file);
 
 }  // namespace rc::formats

@@ -64,7 +64,7 @@ struct ScanLine {
   double mean() const { return sum / static_cast<double>(count); }
 };
 
-// Along each line `fast` goes one way and `slow` stays nearer to the line's mean than half of the distance to the next line.
+// Along each line `fast` goes one way and `slow` differs from the line's mean by less than half of the distance to the next line.
 bool run_along_lines(const Column& fast, const Column& slow) {
   constexpr std::size_t fewest_lines = 3, fewest_points = 9;
   if (fast.size() < fewest_points) return false;

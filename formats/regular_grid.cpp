@@ -25,7 +25,7 @@ std::vector<double> spacings(const std::vector<double>& sorted) {
   return found;
 }
 
-// What the pitch may be: the least spacing; the median, if a few spacings are odd; the first one after the largest jump, if
+// Possible pitches: the least spacing; the median, if a few spacings are odd; the first one after the largest jump, if
 // coordinates of the same line differ by rounding. The largest comes first, because everything fits on a grid that is fine
 // enough.
 std::vector<double> candidates(const std::vector<double>& spacing) {

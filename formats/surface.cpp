@@ -40,7 +40,7 @@ std::string contents(const fs::path& path) {
   return bytes;
 }
 
-// What work() returns; its Error gets the file's name.
+// Returns the result of work(); adds the file's name to its Error.
 template <class Work> auto of_file(const fs::path& path, const Work& work) {
   try {
     return work();

@@ -6,7 +6,7 @@
 
 namespace rc::formats {
 
-// What an SI prefix multiplies by; 1 for "". Micro is u, U+00B5, U+03BC or Latin-1. Nothing if the text is no prefix.
+// The factor of an SI prefix; 1 for "". Micro is u, U+00B5, U+03BC or Latin-1. Nothing if the text is no prefix.
 std::optional<double> prefix_factor(std::string_view prefix);
 
 // Metres per unit: "m" with any SI prefix. Nothing if the text is no such length.

@@ -58,7 +58,7 @@ static const char* gather(void* user, const void* mine, const int64_t* bytes, vo
   return NULL;
 }
 
-/* Of so many bytes that are left, those of the next message. */
+/* The bytes of the next message, if so many are left. */
 static int piece(int64_t left) {
   if (left < 0) return 0;
   return (int)(left < most ? left : most);

@@ -25,7 +25,7 @@ except ImportError as missing:
     sys.exit(77)
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-# What a program includes to use each library. Headers that these include are read as well; the first library has them.
+# The headers that a program includes to use each library. Headers that these include are read as well; the first library has them.
 HEADERS = {
     "contact": [f"roughcontact/{name}.h" for name in ("roughcontact", "history", "derivatives", "direct", "product", "analysis", "law", "registry")],
     "surface": ["roughcontact/surface.h"],
@@ -34,9 +34,9 @@ HEADERS = {
 }
 # Functions of plugin.h that Python calls; the structs that only this header knows are handles to it.
 FROM_PLUGIN = ["rc_context_register"]
-# Of mpi.h, what languages take that know communicators by their Fortran handles.
+# The parts of mpi.h for languages that know communicators by their Fortran handles.
 FROM_MPI = ["rc_ranks_counts"]
-# What a C prototype does not say. Pointers to one number, for Fortran: all others are arrays.
+# Facts that a C prototype does not have. Pointers to one number, for Fortran: all others are arrays.
 SCALARS = {
     "rc_version": "major minor patch abi",
     "rc_options_get_int": "out",

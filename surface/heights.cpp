@@ -75,7 +75,7 @@ Heights read_heights(const rc_surface_map* given) {
   const bool plane = map.trend == RC_SURFACE_TREND_PLANE || (map.trend == RC_SURFACE_TREND_AUTO && !heights.periodic);
   if (plane) remove_plane(heights);
 
-  // What is left of a flat or tilted surface is round-off, not roughness.
+  // The remainder of a flat or tilted surface is round-off, not roughness.
   const double noise = 1e-13 * (std::abs(level) + largest);
   if (std::ranges::all_of(heights.z, [noise](double value) { return std::abs(value) <= noise; }))
     std::ranges::fill(heights.z, 0.0);

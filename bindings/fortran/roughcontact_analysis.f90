@@ -1,4 +1,4 @@
-! What a contact looks like: functions of pressures p(nx, ny) alone. boundary: RC_BOUNDARY_*, across which patches may extend.
+! Analysis of a contact: functions of pressures p(nx, ny) only. boundary: RC_BOUNDARY_*, across which patches may extend.
 module roughcontact_analysis
   use roughcontact_arrays
   use roughcontact_errors

@@ -101,7 +101,7 @@ contains
     call rcf_check(status, stat, errmsg)
   end subroutine
 
-  ! What this rank has sent and received for the contact.
+  ! Numbers and bytes of this rank's exchanges for the contact.
   subroutine rcf_mpi_contact_counts(contact, counts, stat, errmsg)
     type(rcf_mpi_contact), intent(in) :: contact
     type(rc_ranks_counts), intent(out) :: counts

@@ -1,4 +1,4 @@
-! What is given for a step, as the library takes it.
+! The input of a step, as the library takes it.
 module roughcontact_steps
   use roughcontact_arrays
   use roughcontact_errors

@@ -12,7 +12,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* What rc_solve(z, opts) asks for. A function that fails returns a status other than RC_OK and leaves its text in message. Memory
+/* The arguments of rc_solve(z, opts). A function that fails returns a status other than RC_OK and sets message. Memory
  * is MEX's, freed when the function ends; the options are the library's, destroyed by close_request. */
 typedef struct Request {
   rc_system system; /* z is nx by ny, first index fastest */

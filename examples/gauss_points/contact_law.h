@@ -40,7 +40,7 @@ class ContactLaw {
   // The mesh deforms under the force of the patch as well. With the patch's stiffness as a whole, force over displacement, what
   // the half-space below it deforms as a whole is taken off: displacement is then that of the roughness alone. 0 (default): not.
   void subtract_bulk(double stiffness) { bulk_stiffness_ = stiffness; }
-  // Of a flat square punch of this side: the number is Love's constant for the square in the limit of fine grids.
+  // The stiffness of a flat square punch of this side; the number is Love's constant for the square in the limit of fine grids.
   static double square_stiffness(double modulus, double side) { return modulus * side / 0.86783; }
 
   // Makes the contact law of the patch (<roughcontact/law.h>) between these nominal pressures. From then on evaluate() takes it

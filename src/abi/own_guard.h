@@ -1,4 +1,4 @@
-// The guard of a library beside libroughcontact: exceptions become a status and a message of that library's own.
+// The guard of the other libraries: exceptions become a status and the message of that library.
 #pragma once
 
 #include <cstdio>

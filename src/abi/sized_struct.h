@@ -80,7 +80,7 @@ inline rc_result read_result(const rc_result* from) {
   return result;
 }
 
-// Writes as much as the caller knows; its struct_size stays.
+// Writes the members that fit into the caller's struct; its struct_size does not change.
 template <class Struct> void write(Struct* to, const Struct& value) {
   const std::size_t size = to->struct_size;
   std::memcpy(to, &value, std::min(size, sizeof(Struct)));

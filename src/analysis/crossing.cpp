@@ -29,7 +29,7 @@ class Clusters {
     return nodes_.size() - 1;
   }
 
-  // The second stretch, shifted, is beside the first.
+  // The second stretch, shifted, is adjacent to the first.
   void join(std::size_t first, std::size_t second, Shift shift) {
     const Place a = find(first), b = find(second);
     const Shift between = a.shift + shift - b.shift;

@@ -30,7 +30,7 @@ struct Attempt {
   Monitor& monitor;
   std::vector<std::string> failed = {};  // names of components that "auto" passes over
   Choice choice = {};                    // the components that were chosen last
-  bool warm = true;                      // coarser grids may start from earlier steps, too
+  bool warm = true;                      // coarser grids may also start from earlier steps
   bool by_solver = false;                // the last failure was a solver's own, not its backend's
   Remarks remarks = {};
 };

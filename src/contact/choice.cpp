@@ -19,7 +19,7 @@ constexpr double worth_opening = 7.5e-5;
 constexpr double usual_products = 100;  // of a solver that does not say what it costs
 
 constexpr std::int64_t least_dilute_points = 256 * 256;
-// The choice for sparse contact comes before the unknowns are known: it assumes no more than this.
+// The choice for sparse contact is made before the unknowns are known: it assumes at most this many.
 constexpr std::int64_t most_few = 1 << 24;
 constexpr double few_share = 0.05;  // of the grid's points: products that cost by the contact are cheaper below
 // If processes share products by rows, but not the unknowns, the unknowns must take each process less time than its rows.
@@ -32,7 +32,7 @@ std::string kind_of(const System& system) {
   return join(system.boundary(), " boundaries");
 }
 
-// What of this system is beyond the backend; "" if nothing is.
+// The property of this system that the backend does not support; "" if it supports the system.
 std::string beyond(const rc_backend& backend, const System& system) {
   if ((backend.caps & system.needed_caps()) != system.needed_caps()) return kind_of(system);
   if ((backend.caps & RC_CAP_FAR_FIELD) && system.halfspace() && !system.kernel.influence->has(RC_KERNEL_FAR_FIELD))
@@ -101,7 +101,7 @@ struct Question {
     return list;
   }
 
-  // With this backend or, for null, with any. Plugins are opened only if what is built in takes longer than that or cannot do it,
+  // Candidates with this backend; null: with any. Plugins are opened only if built-in ones take longer than that or cannot do it,
   // and all of them only if nothing else can do what must be done.
   std::vector<Candidate> pairs(const rc_backend* backend) const {
     Context& context = *options.context;
@@ -143,7 +143,7 @@ struct Question {
     return component.score && !refuses;
   }
 
-  // What a backend costs that does not say so: products entry by entry.
+  // The cost of a backend without an estimate: products entry by entry.
   rc_estimate entry_by_entry() const {
     constexpr double entry = 1e-9;  // [s]
     const auto n = static_cast<double>(facts.candidates), points = static_cast<double>(system.points());
@@ -199,7 +199,7 @@ struct Question {
   }
 };
 
-// What components say in between is no failure.
+// Ranks the candidates; messages of components in between are not failures.
 std::vector<Candidate> answered(const Question& question, std::optional<Error>* missing = nullptr) {
   std::vector<Candidate> all = question.ranked(missing);
   clear_message();

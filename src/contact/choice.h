@@ -17,7 +17,7 @@ namespace rc {
 
 class GridProblem;
 
-// What is known of a step before it is solved.
+// Facts about a step before it is solved.
 struct StepFacts {
   std::int32_t control = RC_CONTROL_APPROACH;
   std::int64_t candidates = 0;  // points of the trial set
@@ -49,11 +49,11 @@ std::string obstacle(const rc_solver& solver, const rc_backend& backend, const S
 Choice choose(const rc_options& options, const System& system, const StepFacts& facts,
               const std::vector<std::string>& failed = {});
 
-// For a step on these unknowns. partial: of a solver that only looks at the grid.
+// For a step on these unknowns. partial: for a solver that only tries the grid.
 Choice choose_for(const GridProblem& problem, const TrialSet& trial, std::int32_t control, const std::vector<std::string>& failed,
                   bool partial);
 
-// What "auto" stands for inside another solver, on that solver's backend.
+// The solver that "auto" chooses inside another solver, on that solver's backend.
 const rc_solver& solver_inside(const rc_options& options, const System& system, const StepFacts& facts,
                                const rc_backend& backend);
 
@@ -68,7 +68,7 @@ const rc_backend& certifying_backend(const std::string& name, const rc_options& 
 // solver for the others. Nothing if the options name others, or the grid is too small for that to pay. by_rows: processes
 // multiply together, each with its rows.
 std::optional<Choice> choose_for_few(const rc_options& options, const System& system, std::int32_t control, bool by_rows);
-// Whether contacts this dense are still few. by_rows: every process has them all beside a part of each product.
+// Whether contacts this dense are still few. by_rows: every process has all of them, and makes a part of each product.
 bool few(std::int64_t contacts, std::int64_t points, bool by_rows);
 
 }  // namespace rc

@@ -108,7 +108,7 @@ class Monitor {
 };
 
 // For a solve inside the monitor's, which must outlive it: the first stops it when the monitor says so; the second shows its
-// progress to the monitor's caller, too.
+// progress also to the monitor's caller.
 inline ProgressCallback stopped_by(const Monitor& monitor) {
   const auto ask = [](const rc_progress*, void* of) -> std::int32_t { return static_cast<const Monitor*>(of)->ask() != RC_OK; };
   return {ask, const_cast<Monitor*>(&monitor), 1};

@@ -114,7 +114,7 @@ Promises promises_of(const System& system) {
 
 void take_promises(System& result, const rc_options& options) {
   const auto make = [&] { return std::make_shared<const Promises>(promises_of(result)); };
-  // Those of other kernels are looked at anew, as the library trusts none.
+  // The promises of kernels from plugins are checked for each contact, because the library does not trust them.
   result.kernel.promises = result.kernel.influence->built_in()
                                ? options.context->shared().get<const Promises>("promises " + result.kernel.key, make)
                                : make();

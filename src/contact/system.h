@@ -12,7 +12,7 @@
 
 namespace rc {
 
-// What a kernel promises and shows of a system: SystemKernel::bounds.
+// A kernel's promises for a system, and the values that check them: SystemKernel::bounds.
 struct Promises {
   rc_kernel_bounds bounds;
   double most = 0;  // periodic: the largest eigenvalue but the mean's

@@ -15,7 +15,7 @@ template <class Array> std::size_t bytes_of_value(const Array& array, std::size_
   return array.type == RC_SINGLE ? sizeof(float) : native;
 }
 
-// Of an array of doubles or floats.
+// Element i of an array of doubles or floats.
 inline double value_at(const rc_const_array& array, std::size_t i) {
   return array.type == RC_SINGLE ? static_cast<double>(static_cast<const float*>(array.data)[i])
                                  : static_cast<const double*>(array.data)[i];

@@ -1,4 +1,4 @@
-// What unwinds a thread that is cancelled, for a catch clause that passes it on.
+// The exception that unwinds a cancelled thread, for a catch clause that rethrows it.
 #pragma once
 
 #include <cxxabi.h>

@@ -8,8 +8,8 @@
 
 namespace rc {
 
-// Runs action(), which returns a status. If it throws, `told` gets status and message, and its status is returned. Allocates
-// nothing, because an allocation may be what failed.
+// Runs action(), which returns a status. If it throws, status and message are written to `told`, and the status is returned.
+// Allocates nothing, because an allocation may be what failed.
 template <class Action, class Told> rc_status caught(const Action& action, const Told& told) {
   try {
     return action();

@@ -31,7 +31,7 @@ constexpr double dual_violation(double gap, double p, double hardness, double sc
   return gap < 0 ? smaller_of(room_below(hardness, p, gap), relative_violation(-gap, scale)) : 0.0;
 }
 
-// For p > 0: min(p / max p, |g| / s), and no more than 1 - p / c where g < 0
+// For p > 0: min(p / max p, |g| / s), and at most 1 - p / c if g < 0
 constexpr double complementarity_violation(double gap, double p, double largest_p, double hardness, double scale) {
   if (!(p > 0)) return 0;
   return smaller_of(smaller_of(p / largest_p, room_below(hardness, p, gap)), relative_violation(gap < 0 ? -gap : gap, scale));
@@ -65,7 +65,7 @@ constexpr double residual_scale(const ScaleTerms& terms, double compression) {
   return !terms.whole || mean_gap == 0 ? compression : smaller_of(compression, mean_gap / (2 * terms.tol));
 }
 
-// What solvers take for the scale at least, periodic boundaries under a load: in full contact the compression may vanish.
+// The least scale of gaps, periodic boundaries under a load: in full contact the compression may vanish.
 constexpr double least_scale_under(double load, double points) { return 0.25 * load / points; }
 
 // Periodic, elastic, every point may carry pressure: the load is not determined by an approach beyond the mean plane.

@@ -22,7 +22,7 @@ struct Chunks {
   std::int64_t values = chunk_values;
   const Ranks* ranks = nullptr;  // not null: the values are of this rank's rows, and a chunk is a piece of rows
 
-  // Of a grid with nx points in a row.
+  // The chunks of a grid with nx points in a row.
   static Chunks of(const Ranks* ranks, std::int64_t nx) { return ranks ? Chunks{ranks->piece_rows() * nx, ranks} : Chunks{}; }
   std::int64_t count(std::int64_t n) const { return (n + values - 1) / values; }
 };
@@ -62,7 +62,7 @@ class Marks {
  public:
   explicit Marks(std::int64_t n) : words_(static_cast<std::size_t>((n + 63) / 64)) {}
   void add(std::size_t i) { words_[i / together] |= std::uint64_t{1} << i % together; }
-  // Of so many values from a multiple of their number on.
+  // One word marks this many values, from a multiple of this number on.
   static constexpr std::size_t together = 64;
   void set(std::size_t first, std::uint64_t marked) { words_[first / together] = marked; }
   // The marked values in ascending order.

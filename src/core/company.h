@@ -20,7 +20,7 @@ class Company {
   Company() = default;
   // The ranks must outlive the company.
   static Company by_rows(const Ranks& ranks) { return {std::shared_ptr<const Ranks>(std::shared_ptr<void>(), &ranks), {}}; }
-  // Those that share rows: each working on all points; on a grid of half as many rows, each with half of its own.
+  // The processes that share rows, each working on all points; the same on a grid of half as many rows.
   Company made_alike() const { return {{}, rows_}; }
   Company halved() const { return {std::make_shared<const Ranks>(rows_->halved()), {}}; }
 
@@ -35,12 +35,13 @@ class Company {
   bool keeps_all_points() const { return rows_ != nullptr; }
   // Systems on subsets, solvers inside solvers, and answers that solvers keep for the next step need every point here.
   bool has_all_points() const { return rows_ == nullptr; }
-  // A component that fails here may work elsewhere: "auto" goes on without it only if nobody else is to do the same.
+  // A component that fails here may work on another process: "auto" continues without it only if no other process must do the
+  // same.
   bool may_pass_over() const { return !rows_ && !alike_ && !repeated_; }
   // Clocks of several processes differ: they stop together, between iterations.
   bool stops_between_products() const { return !alike_; }
 
-  // The rows as a component sees them, in `room`, which must outlive its use; null: this process has all rows.
+  // The rows for a component, in `room`, which must outlive its use; null: this process has all rows.
   const rc_rows* shown_in(SharedRows& room) const {
     if (!rows_) return nullptr;
     room = SharedRows(*rows_);

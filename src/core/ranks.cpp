@@ -159,7 +159,7 @@ void Ranks::checked(const void* mine, const std::vector<std::int64_t>& bytes, vo
   exchange_checked(mine, bytes, all);
 }
 
-// What this rank has not heard from others it has to tell them.
+// Ends a stretch in which all ranks do the same; exchanges failures that have not been exchanged yet.
 void Ranks::finish_alike() const {
   if (link_->told == RC_OK) guarded([&] { exchange_statuses(); });
   link_->alike = false;
@@ -221,7 +221,7 @@ void Ranks::exchange_with_heads(std::byte* sent, std::byte* received) const {
   if (first >= 0) raise(first, status);
 }
 
-// With the message of the first rank that failed.
+// Throws the message of the first rank that failed.
 void Ranks::raise(std::int64_t first, rc_status status) const {
   const rc_exchange& exchange = link_->exchange;
   std::fill(link_->with_head.begin(), link_->with_head.end(), 0);

@@ -1,5 +1,5 @@
 // The ranks that share a grid by rows: which rows each has, and how they exchange what they have. A failure of one rank is
-// recorded where it happens; this rank goes on taking part, and all learn of it at the next checked exchange.
+// recorded at once; this rank continues to take part, and all get it at the next checked exchange.
 #pragma once
 
 #include <roughcontact/plugin.h>
@@ -140,7 +140,7 @@ class Ranks {
     return all;
   }
 
-  // Of each rank as many as it has, in their order.
+  // The values of all ranks, in the order of ranks; their numbers may differ.
   template <class Value> std::vector<Value> of_any(const std::vector<Value>& mine) const {
     const std::vector<std::int64_t> bytes = of_each(static_cast<std::int64_t>(mine.size() * sizeof(Value)));
     std::vector<Value> all;
@@ -199,7 +199,7 @@ class Ranks {
     bool alike = false;
     rc_status told = RC_OK;  // the failure that all have heard of
     char told_message[420] = "";
-    // What small exchanges need, so that none lacks memory once others take part in it.
+    // Memory for small exchanges, allocated beforehand, so that no rank lacks it when others already take part.
     std::vector<std::int64_t> bytes, with_head;  // [ranks]
     std::vector<std::byte> sent, received;
   };

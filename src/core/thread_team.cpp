@@ -22,7 +22,7 @@ inline void pause_briefly() {
 }
 
 // Until the condition holds. A condition variable of glibc before 2.41 can lose a wake-up: `again` is called, and the condition
-// looked at, every now and then. A helper that is not woken misses a round, no more.
+// looked at, every now and then. A helper that is not woken only misses a round.
 template <class Again, class Condition>
 void wait_surely(std::condition_variable& variable, std::unique_lock<std::mutex>& lock, const Again& again,
                  const Condition& condition) {

@@ -14,7 +14,7 @@ class GapValues {
   GapValues() = default;
   GapValues(std::span<const double> values) : in_double_(values.data()), size_(values.size()) {}
   GapValues(std::span<const float> values) : in_single_(values.data()), size_(values.size()) {}
-  // Of memory that this process reads.
+  // Values in memory that this process can read.
   GapValues(const rc_const_array& values, std::size_t size)
       : in_double_(values.type == RC_SINGLE ? nullptr : static_cast<const double*>(values.data)),
         in_single_(values.type == RC_SINGLE ? static_cast<const float*>(values.data) : nullptr),

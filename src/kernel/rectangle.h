@@ -1,4 +1,4 @@
-// What the kernels of rectangular cells share: the coefficient is (hx hy / pi) times the mean of 1/r over a density, and the
+// Common parts of the kernels of rectangular cells: the coefficient is (hx hy / pi) times the mean of 1/r over a density, and the
 // formula that keeps full accuracy depends on the distance.
 #pragma once
 

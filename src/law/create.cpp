@@ -142,7 +142,7 @@ class LawMaker {
       law->nodes.push_back(nodes_[i].node);
       if (i > 1 && patch_.bulk() == RC_LAW_BULK_MEAN) law->nodes.back().energy = std::numeric_limits<double>::quiet_NaN();
     }
-    rc_law_node& last = law->nodes.back();  // beyond it, what held before it goes on
+    rc_law_node& last = law->nodes.back();  // beyond it, the bounds of the last interval continue
     last.bounds = law->nodes[law->nodes.size() - 2].bounds;
     last.between_lower = last.bounds == RC_LAW_CONVEX && !patch_.plastic() ? last.slope_lower : 0;
     last.between_upper = HUGE_VAL;

@@ -1,4 +1,4 @@
-// Whole text files: read into memory; written beside and renamed, so that a file is there whole or as it was before.
+// Whole text files: read into memory; written under a temporary name and renamed, so that a file is complete or unchanged.
 #pragma once
 
 #include <string>

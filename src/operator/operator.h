@@ -31,7 +31,7 @@ class Operator {
   // ranks: null, or those that share the grid by rows: vectors are then of every point of this rank's rows.
   Operator(const rc_backend& backend, const rc_host& host, const rc_system& system, const std::string& kernel,
            const rc_options& options, const rc_team& team, double scale, const Ranks* ranks = nullptr);
-  // Of ranks that all have the same trial set and vectors: they make each product together. rows: their operator, bound to every
+  // An operator for ranks that all have the same trial set and vectors; they make each product together. rows: bound to every
   // point of this rank's rows; it must outlive this one.
   explicit Operator(Operator& rows)
       : backend_(rows.backend_),

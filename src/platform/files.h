@@ -9,7 +9,7 @@
 
 namespace rc_platform {
 
-// Of a text in UTF-8: conversions of the standard library take another encoding where paths are not made of bytes.
+// The path of a text in UTF-8. The standard library's own conversion uses another encoding if paths are not made of bytes.
 inline std::filesystem::path path_of(std::string_view text) {
   return std::u8string_view(reinterpret_cast<const char8_t*>(text.data()), text.size());
 }

@@ -12,7 +12,7 @@ extern const std::string_view library_suffix;  // of a plugin's file
 extern const std::string_view own_library;     // beginning of the file's name of this library
 extern const char path_separator;              // between the folders of a list
 
-bool is_absolute(std::string_view path);  // false for a path on another machine, too
+bool is_absolute(std::string_view path);  // also false for a path on another machine
 
 // Value of an environment variable; null if it is not set, or if the program has more rights than its user.
 const char* trusted_environment(const char* name);

@@ -1,4 +1,4 @@
-// What the system says of the machine's memory.
+// The machine's memory, as the system reports it.
 #pragma once
 
 #include <cstddef>

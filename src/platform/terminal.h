@@ -18,7 +18,7 @@ bool is_terminal(std::FILE* stream);
 std::size_t terminal_width();  // columns of the terminal of the error stream; 80 if it does not say
 
 // `handler` gets the number of every signal that asks the program to end and that its caller did not have ignored. It may run
-// beside the program, on a thread of its own.
+// while the program runs, on a separate thread.
 void when_asked_to_end(void (*handler)(int number));
 
 // Ends the program as the signal does where nobody handles it.

@@ -11,7 +11,7 @@ namespace rc {
 
 std::vector<rc_plugin_query_fn> builtin_plugins();
 
-// What to do to get a component that this library knows of but does not contain; null for unknown names.
+// How to get a component that exists but is not in this library; null for unknown names.
 const char* known_but_absent(std::string_view name);
 
 // Points of a grid from which on "auto" opens the plugin of this name; 0 for unknown names.

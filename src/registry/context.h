@@ -30,7 +30,7 @@ struct Host : rc_host {
   const SystemKernel* kernel;
   const std::string identity;
 
-  // What its components hold of the context's shared objects.
+  // The shared objects that its components use.
   struct Holdings {
     std::mutex mutex;
     std::multimap<void*, std::shared_ptr<void>> objects;
@@ -77,12 +77,12 @@ class Context {
   std::vector<const Component<rc_backend>*> backends();
   std::vector<const Component<rc_solver>*> solvers();
   std::vector<const Component<rc_kernel>*> kernels();
-  // What "auto" may stand for on a grid of so many points, sorted by name: what is in plugins that it opens there, and what
-  // needed no plugin; points = 0: that alone. The same whatever was opened before.
+  // The components among which "auto" chooses on a grid of this many points, sorted by name: built-in ones, and those of plugins
+  // that it opens for such grids; points = 0: only built-in ones. The list does not depend on plugins opened before.
   std::vector<const Component<rc_backend>*> backends_for_auto(std::int64_t points) { return for_auto(backends_, points); }
   std::vector<const Component<rc_solver>*> solvers_for_auto(std::int64_t points) { return for_auto(solvers_, points); }
 
-  // Of its contacts.
+  // The objects that its contacts share.
   SharedObjects& shared() const { return shared_; }
 
   // Throws Error(RC_ERR_OPTION) with the nearest key. A dotted key loads its component.

@@ -1,4 +1,4 @@
-// What an rc_options handle holds: values, and the context whose schema they follow.
+// The contents of an rc_options handle: values, and the context whose schema they follow.
 #pragma once
 
 #include <memory>

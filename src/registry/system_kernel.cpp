@@ -16,7 +16,7 @@ namespace rc {
 namespace {
 
 constexpr double round_off = 1e-9;     // by which promises may be missed
-constexpr std::int64_t patch = 8;      // cells along a side of the patch on which promises are looked at
+constexpr std::int64_t patch = 8;      // cells along a side of the patch on which promises are checked
 constexpr double unlooked = 1 - 1e-6;  // of a lowest eigenvalue that is looked up: transforms round
 
 // 1/n x'Hx for the n cells of the patch, x = +-1 with the sign changing from cell to cell along x, y, both or neither.

@@ -22,7 +22,7 @@ class SystemKernel {
 
   // Checks what can be seen of a kernel from outside before anything depends on it, and returns its promises. The lowest
   // eigenvalue follows from the share of galerkin where that says more; periodic systems: from the symbol. largest: out, the
-  // largest eigenvalue but the mean's; left as it is where no symbol is looked at.
+  // largest eigenvalue but the mean's; unchanged if no symbol is read.
   rc_kernel_bounds bounds(const rc_system&, double& largest) const;
 
   void window(const rc_system&, const kernel::Window&, double* out) const;  // free boundaries

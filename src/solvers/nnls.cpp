@@ -3,7 +3,7 @@
 // less than the cap, others the cap itself, and their deflection is taken from u.
 //
 // nnls.pivoting = block exchanges all infeasible points at once (block principal pivoting: Kostreva 1978; Judice & Pires 1994).
-// It needs a handful of solves. It may fail to make progress; then the other method goes on from its pressures.
+// It needs a handful of solves. It may fail to make progress; then the other method continues from its pressures.
 // nnls.pivoting = single adds the point of the largest overlap (Lawson & Hanson 1974), as published. Each solve lowers the
 // energy, so no set comes twice; but every point of the contact set costs a solve. It takes points off the cap in the same way.
 // Changes to the printed algorithm: the tolerances are relative; all points that reach zero leave at once and are set to zero;
@@ -107,7 +107,7 @@ class Pivoting {
   }
 
   State state_of(double p) const { return p >= cap_ ? State::capped : p > 0 ? State::free : State::open; }
-  // Of a point at a bound: its overlap or, at the cap, its gap.
+  // The overlap of a point at zero, the gap of a point at the cap.
   double violation(std::size_t i) const { return state_[i] == State::capped ? w_[i] : -w_[i]; }
 
   // Moves p towards the solution on the contact set. Points whose pressure vanishes or meets the cap on the way leave the set,

@@ -85,7 +85,7 @@ class Problem {
   }
   // The point of the grid that unknown i stands for.
   std::int64_t point(std::int64_t i) const { return grid()->index ? grid()->index[i] : i; }
-  // Of the undeformed surfaces at unknown i.
+  // The overlap of the undeformed surfaces at unknown i.
   double compenetration(std::int64_t i) const {
     return u() ? u()[i] : (grid()->approach - gap()[static_cast<std::size_t>(point(i))]) / length_unit();
   }

@@ -35,7 +35,7 @@ Names keys() {
 
 Names texts(std::span<const std::string_view> names) { return {names.begin(), names.end()}; }
 
-// What may stand after an option, by its name, or after KEY= in --set.
+// Possible values of an option, by its name, or of a key after KEY= in --set.
 Names values(std::string_view option) {
   while (option.starts_with('-')) option.remove_prefix(1);
   if (option == "solver") return or_auto(rc_solver_count, rc_solver_describe);
@@ -76,7 +76,7 @@ bool takes_value(const Command& command, const std::string& word) {
          });
 }
 
-// What may stand at the place of the last word.
+// Completions of the last word.
 Names candidates(const Command& command, const std::vector<std::string>& words) {
   const Command* at = &command;
   std::string waiting;  // the option whose value comes next

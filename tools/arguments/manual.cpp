@@ -50,7 +50,7 @@ std::string options_of(const Command& command) {
   return text;
 }
 
-// What --help ends with, but for the paragraphs that a command before it has.
+// The last paragraphs of --help, without those that an earlier command has.
 std::string footer_of(const Command& command, std::vector<std::string>& known) {
   std::string text;
   std::string_view rest = command.footer;

@@ -10,7 +10,7 @@
 
 namespace cli {
 
-// What stands before the data of NumPy's .npy, version 1.0, of an array of shape (ny, nx): a multiple of 64 bytes. descr: NumPy's
+// The header of NumPy's .npy, version 1.0, for an array of shape (ny, nx): a multiple of 64 bytes. descr: NumPy's
 // name of the numbers' type.
 std::string npy_header(std::int64_t nx, std::int64_t ny, const char* descr = "<f8");
 

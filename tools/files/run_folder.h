@@ -32,7 +32,7 @@ class RunFolder {
   RunFolder(const RunFolder&) = delete;
   RunFolder& operator=(const RunFolder&) = delete;
 
-  // Of the earlier run: the finished steps, oldest first; whether all are certified; and the numbers, from 1 on, of the last two
+  // The earlier run's finished steps, oldest first; whether all are certified; and the numbers, from 1 on, of the last two
   // certified ones, newest first.
   std::span<const EarlierStep> finished() const;
   bool all_certified() const { return all_certified_; }

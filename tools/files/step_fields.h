@@ -1,4 +1,4 @@
-// What summary.json and steps.csv say of a step, under the same names.
+// The fields of a step in summary.json and steps.csv, under the same names.
 #pragma once
 
 #include <span>

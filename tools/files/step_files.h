@@ -27,7 +27,7 @@ class StepFiles {
   // Throws if the folder has files with names that this run would write and that no summary.json lists.
   StepFiles(const std::string& folder, const Problem& problem, Choice choice);
 
-  // Of the earlier run: the number of finished steps, whether all are certified, and the last two certified ones, newest first.
+  // The earlier run's number of finished steps, whether all are certified, and the last two certified ones, newest first.
   int finished() const { return static_cast<int>(run_.finished().size()); }
   bool all_certified() const { return run_.all_certified(); }
   std::vector<CertifiedStep> certified() const;

@@ -10,7 +10,7 @@ namespace cli {
 
 inline constexpr std::string_view step_formats[] = {"vti", "netcdf", "hdf5"};
 
-// Of the files of all formats: step-K.vti, step-K.nc, step-K.h5.
+// Extensions of the files step-K.vti, step-K.nc, step-K.h5.
 inline constexpr const char* step_extensions[] = {"vti", "nc", "h5"};
 
 struct NamedWriter {

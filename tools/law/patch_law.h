@@ -1,4 +1,4 @@
-// A contact law with what the command knows of it beside the library, and its values in SI units.
+// A contact law with additional facts of the command, and its values in SI units.
 #pragma once
 
 #include <roughcontact/law.h>

@@ -27,7 +27,7 @@ struct Palette {
   std::string text() const;       // for gnuplot
 };
 
-// Two panels of the same size, beside each other or, where the surface is wide, above each other.
+// Two panels of the same size, side by side or, if the surface is wide, above each other.
 class Layout {
  public:
   explicit Layout(const rc::formats::Surface& surface);

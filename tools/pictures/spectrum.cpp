@@ -31,7 +31,7 @@ double power_law(const rc_surface_power_law& law, double q) { return law.prefact
 
 std::string wavelength_text(double q) { return with_prefix(wavelength(q), "m"); }
 
-// A line across the picture; spectra fall, so there is room beside its upper end.
+// A line across the picture; spectra fall, so there is room for a label at its upper end.
 std::string mark(int number, double q, const char* text, double height) {
   if (!std::isfinite(q)) return "";
   return format(

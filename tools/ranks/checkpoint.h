@@ -1,4 +1,4 @@
-// The pressures in the middle of a step, from which a run that was ended goes on: two arrays in turn, and a file that names the
+// The pressures in the middle of a step, from which an interrupted run continues: two arrays in turn, and a file that names the
 // one that is whole.
 #pragma once
 

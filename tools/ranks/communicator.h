@@ -25,7 +25,7 @@ class Communicator {
   // The same where rank 0 alone has work.
   void on_first(const std::function<void()>& part) const;
 
-  // What rank 0 has.
+  // The value of rank 0, on every rank.
   std::string of_first(std::string text) const;
   std::int64_t of_first(std::int64_t number) const;
 

@@ -26,7 +26,7 @@ namespace {
 
 using RankContact = std::unique_ptr<rc_mpi_contact, Destroy<rc_mpi_contact_destroy>>;
 
-// Of a step, what no rank can say of its rows alone and the library does not say of all.
+// Fields of a step that need the whole grid and that the library does not compute for ranks.
 constexpr std::string_view unknown[] = {"corrected_area", "patches",  "largest_patch",  "contact_crosses", "gap_crosses",
                                         "model_nx",       "model_ny", "error_estimate", "left_out",        "area_estimate"};
 

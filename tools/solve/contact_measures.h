@@ -1,4 +1,4 @@
-// What a step's pressures look like, beyond what the library's result has.
+// Measures of a step's pressures that the library's result does not have.
 #pragma once
 
 #include <roughcontact/analysis.h>

@@ -38,7 +38,7 @@ class StepSolver {
   const Problem& problem_;
   std::vector<double> gap_;
   bool gap_given_ = false;
-  // With areas: the state before the step, from which its search begins.
+  // If areas are prescribed: the state before the step, from which its search begins.
   std::vector<CertifiedStep> certified_;
   std::vector<double> indentation_;
 };

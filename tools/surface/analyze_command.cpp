@@ -44,7 +44,7 @@ Rings radial_spectrum(const rc_surface_map& map, const std::string& file) {
   return rings;
 }
 
-// The fit refuses a flat map, too, but cannot say whether it is level or tilted.
+// The fit also refuses a flat map, but does not report whether it is level or tilted.
 void refuse_flat(const Analysis& a) {
   if (a.statistics.m0 > 0) return;
   const std::vector<double>& z = a.input.surface.heights;

@@ -70,7 +70,7 @@ from .system import (
 )
 
 __version__ = "0.1.0"
-# What is imported above, without the modules that it comes from.
+# All imported names, without the modules that define them.
 __all__ = sorted(name for name in set(dir()) - {"List", "contact", "context", "result", "system"} if not name.startswith("_"))
 
 

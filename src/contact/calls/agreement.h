@@ -1,4 +1,4 @@
-// What all ranks must give alike: a difference is told as "rank 2 and rank 0 disagree on nx: 64 and 128".
+// Arguments that must be equal on all ranks: a difference is reported as "rank 2 and rank 0 disagree on nx: 64 and 128".
 #pragma once
 
 #include <roughcontact/ranks.h>
@@ -17,7 +17,7 @@ struct Fact {
 };
 
 std::vector<Fact> facts_of(const rc_system& system, const rc_options& options);
-// What is given, and what is asked for; not the values at points.
+// The arguments and wanted outputs of a step or history, without the values at points.
 std::vector<Fact> facts_of(const rc_step& step, const Outputs& outputs);
 std::vector<Fact> facts_of(const rc_history& path);
 

@@ -92,7 +92,7 @@ struct Request {
   }
 };
 
-// What the threads share: the number of the next contacts, why the batch ends early, and the message that the call returns.
+// Shared by the threads: the number of the next contacts, the reason for an early end, and the message that the call returns.
 class Progress {
  public:
   Progress(const rc_batch& batch, double time_limit)

@@ -65,7 +65,7 @@ Numbers Contact::solve(const rc_step& step, const Outputs& outputs) {
 
 Numbers Contact::solve_begun(const Step& step, const Outputs& outputs) {
   Monitor monitor = grid_.monitor();
-  // With a hardness the whole grid is solved: what the accuracy goal knows of errors holds for elastic contact.
+  // With a hardness the whole grid is solved: the error estimates of an accuracy goal hold for elastic contact.
   const System& system = problem().system;
   const bool coarser_may_do =
       problem().goal.error > 0 && system.halfspace() && !system.capped() && step.target.touches(problem().surface);

@@ -31,7 +31,7 @@ class Contact {
   // solve and certify accept arrays on a device. compression: see GridContact.
   Numbers solve(const rc_step& step, const Outputs& outputs);
   Numbers certify(const rc_step& step, const Outputs& outputs, std::optional<double> compression = std::nullopt);
-  // Of the last step's answer; model_nx = 0: it has none.
+  // The accuracy of the last step's answer; model_nx = 0: there is none.
   const rc_accuracy& accuracy() const { return accuracy_; }
 
   // Derivatives of the last step. Throw Error(ARGUMENT) where it did not return RC_OK.

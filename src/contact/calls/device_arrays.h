@@ -18,7 +18,7 @@ struct HostCopies {
   std::unique_ptr<std::byte[]> gap, mask, p0, p, deformed;
 };
 
-// Those that a contact's surface refers to, and those of the step that is being solved.
+// Copies to which a contact's surface refers, and copies for the running step.
 using HeldCopies = std::vector<std::unique_ptr<HostCopies>>;
 
 // A step and its outputs with all arrays on the host, for the time of one call.

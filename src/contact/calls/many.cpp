@@ -17,7 +17,7 @@ namespace {
 // Pressures of one call: enough to be worth it, few enough for a stop to be seen soon and for 256 MiB of memory.
 constexpr std::int64_t least_together = std::int64_t{1} << 22, most_together = std::int64_t{1} << 25;
 
-// What answers of many have no place for.
+// Whether the call wants outputs that rc_many_answer does not have.
 bool asks_for_more(const GridProblem& problem, const rc_batch& batch) {
   const rc_options& options = problem.options;
   return batch.virgin != 0 || batch.fn || batch.mean_gap || batch.energy || options.integer(RC_OPT_STIFFNESS) != 0 ||

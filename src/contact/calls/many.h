@@ -37,7 +37,7 @@ class ManySolve {
   std::int64_t at_once() const { return at_once_; }  // contacts of one call
   // Solves contacts first .. last-1, or as many of them as fit. Several threads may call it at the same time.
   ManyAnswers solved(std::int64_t first, std::int64_t last) const;
-  // Of step k of contact i, which is solved.
+  // The numbers of step k of contact i, which is solved.
   Numbers numbers(const rc_many_answer& answer, std::int64_t i, std::int64_t k) const;
   // In the context's log: contacts first .. last-1 are solved one at a time.
   void log(std::int64_t first, std::int64_t last, const char* why) const;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::int64_t least_shared_side = 32;
 
-// What a contact on rows cannot do yet is refused by the option that asks for it.
+// Refuses options that contacts on rows do not support.
 void check_options(const rc_options& options) {
   const auto refuse = [](const char* key, const std::string& value, const char* what) {
     fail(RC_ERR_INCOMPATIBLE, "option ", key, " = ", value, ": contacts shared by ranks have no ", what,
@@ -140,7 +140,7 @@ rc_status SharedContact::run(const rc_history& path, std::int64_t& completed) {
     today.undeformed_gap = has_gap.front() != 0 ? &stand_in : nullptr;
     today.mask = has_mask.front() != 0 ? reinterpret_cast<const std::uint8_t*>(&stand_in) : nullptr;
   }
-  // The caller's function sees this rank's rows; one that ends the path ends it everywhere.
+  // The caller's function gets this rank's rows; if it ends the history on one rank, all end it.
   struct Told {
     const SharedContact& self;
     const rc_history& path;

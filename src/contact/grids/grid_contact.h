@@ -1,4 +1,4 @@
-// A contact on one grid. It solves steps and remembers the last two that are certified. Coarser grids are such contacts, too.
+// A contact on one grid, also on a coarser one. It solves steps and keeps the last two certified ones.
 #pragma once
 
 #include <cstdint>

@@ -105,7 +105,7 @@ rc_status SolverGrids::solve_shared(rc_coarse& request, const GridProblem& probl
       found = solved(*level.contact, coarse_step(request, warm, gap.data(), masked ? mask.data() : nullptr), {{p.data()}, {}});
     } catch (const Error& error) {
       if (error.code() == RC_ERR_MEMORY) throw;
-      found.status = error.code();  // that of every process, so the solve goes on without this grid
+      found.status = error.code();  // that of every process, so the solve continues without this grid
       set_message(error.what());
     }
     std::copy_n(p.data() + half.first_row() * system.nx, half.own_rows(0) * system.nx, request.p);

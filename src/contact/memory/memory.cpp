@@ -27,7 +27,7 @@ CertifiedStep certified_step(const double* p, double approach, double load, cons
     pressures.on.index.push_back(i);
     pressures.p.push_back(p[i]);
   }
-  if (pressures.empty()) {  // a step without contact counts as a step, too
+  if (pressures.empty()) {  // a step without contact also counts as a step
     pressures.on.index = {0};
     pressures.p = {0};
   }

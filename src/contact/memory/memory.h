@@ -40,7 +40,7 @@ struct Memory {
   // step's.
   std::vector<double> start(const Step& step, const TrialSet& trial, double pressure_unit, double cap, const Pressures* nearer,
                             const rc_team& team) const;
-  // What start() without `nearer` made its pressures of.
+  // The kept answers from which start(), called without `nearer`, builds its pressures.
   KeptSteps history(const Step& step) const;
   // Pressures there at the approach that a warm step comes from; empty where it comes from none.
   std::vector<double> earlier(const Step& step, const TrialSet& trial) const;

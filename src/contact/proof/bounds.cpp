@@ -180,7 +180,7 @@ class Proof {
     });
   }
   // At least the points that were given a pressure, and those that may carry one and are no farther than `reach`. That never
-  // grows, so the list made first serves later calls, too.
+  // grows, so the first list also serves later calls.
   const std::vector<std::size_t>& near(double reach) {
     if (near_) return *near_;
     const auto size = static_cast<std::int64_t>(given_.size());

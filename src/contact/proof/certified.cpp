@@ -88,7 +88,7 @@ bool only_unknowns_matter(const GridProblem& problem, const Answer& answer) {
          std::all_of(answer.p.begin(), answer.p.end(), [](double p) { return p >= 0; });
 }
 
-// What was done instead of what the solver asked for, and what a kernel does not promise.
+// Notes on operations that the core replaced, and on promises that a kernel lacks.
 void remark_on(const GridProblem& problem, const Answer& answer, Remarks& remarks) {
   const std::uint64_t needs = answer.choice.solver ? answer.choice.solver->needs : 0;
   const auto replaced = [&](std::uint64_t operation, const char* systems) {

@@ -14,8 +14,8 @@ struct Survey;
 struct Finished {
   Numbers numbers;
   Pressures pressures = {};  // of use only if the step is certified or within its goal
-  Overlap overlap = {};      // likewise: where the pressures are the hardness
-  KeptAnswer kept = {};      // likewise: of the pressures
+  Overlap overlap = {};      // the same: of points whose pressure is the hardness
+  KeptAnswer kept = {};      // the same: pressures that the solver keeps
 };
 
 // Certifies the answer of a step and writes the caller's arrays at last. answer: default constructed if nothing touches, or if a

@@ -9,7 +9,7 @@
 
 namespace rc {
 
-// The share of the heights' variance that a plane explains, 0 .. 1. It looks at no more than 32 x 32 evenly spread points; 0 if
+// The share of the heights' variance that a plane explains, 0 .. 1. It samples at most 32 x 32 evenly spread points; 0 if
 // there are fewer than 16, and on periodic grids if the heights do not jump at the edges.
 double plane_share(const StepSurface& surface, std::int64_t nx, std::int64_t ny, bool periodic);
 

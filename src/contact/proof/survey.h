@@ -1,5 +1,5 @@
-// Passes over an answer's entries by all threads, for what is then told of few of them. Numbers and extents are of all processes,
-// entries of this one.
+// Passes over an answer's entries by all threads, which select the few that are needed later. Numbers and extents are of all
+// processes, entries of this one.
 #pragma once
 
 #include <cstddef>

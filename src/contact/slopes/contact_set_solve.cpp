@@ -25,7 +25,7 @@ constexpr double rounding = 1e-12;     // what those in double precision add in 
 constexpr double fallback_residual = 1e-10;  // where a form is not found as exactly as wanted
 
 constexpr std::size_t sparse = 8;  // cells of the grid for a point of the set, from which on the trees have the points alone
-constexpr std::size_t small_grid = 1 << 13;  // cells; trees over all of them take no longer to set up and apply
+constexpr std::size_t small_grid = 1 << 13;  // cells; trees over all of them are as fast to set up and apply
 constexpr float sharp = 2;          // differences in the finest blocks, over those of haar-cg: no other level counts them
 constexpr double heavy = 4;         // the mean, over that of haar-cg: what the trees tell of the longest waves is then less off
 constexpr double turned_by = 0.36;  // of the grid's sides, by which the second pair of trees begins elsewhere
@@ -217,7 +217,7 @@ rc_status ContactSetSolve::rough_start(std::span<const double> b, std::span<doub
 }
 
 // Products in single precision bring x near, one in double precision tells how near. What single precision adds to the residual
-// is found by that; the iteration then goes on from the true residual.
+// is found by that; the iteration then continues from the true residual.
 rc_status ContactSetSolve::form(std::span<const double> b, double tol, double mean, std::span<double> x, ContactSetBound& bound) {
   const double size = std::sqrt(dot(b, b));
   std::vector<double> r, z;

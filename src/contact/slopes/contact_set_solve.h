@@ -22,7 +22,7 @@ namespace rc {
 
 struct ConjugateGradientsEnd;
 
-// What is known of a solution x.
+// Bounds on a solution x.
 struct ContactSetBound {
   double residual = 0;  // |b - A x| is at most that
   double form = 0;      // b'A^-1 b

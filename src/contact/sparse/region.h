@@ -27,7 +27,7 @@ class Region {
     return members_.size() > before;
   }
 
-  // Of its tiles, the points with a gap below the limit.
+  // The points of its tiles with a gap below the limit.
   TrialSet below(double limit) const {
     if (of_tiles_) return points_below(limit, surface_, members_);
     return {static_cast<std::int64_t>(members_.size()), members_};

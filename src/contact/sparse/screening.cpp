@@ -23,7 +23,7 @@ struct Largest {
 };
 
 // H p on the trial set, and at least at the points outside it whose gap is below the margin, by a product over all points; of
-// processes each looks at its rows. Bounds of round-off need the largest size of H p, too.
+// processes each checks its rows. Bounds of round-off also need the largest |H p|.
 Deflected near_surface(const GridProblem& problem, const Answer& answer, double compression, double margin) {
   GatheredTiles* const gathered = problem.surface.gathered();
   const StepSurface& own = gathered ? gathered->shared() : problem.surface;
@@ -94,14 +94,14 @@ Deflected screened(const GridProblem& problem, const Answer& answer, double comp
   request.struct_size = sizeof request;
   request.approach = surface.range().limit_of(compression + margin);
   GatheredTiles* const gathered = surface.gathered();
-  const StepSurface& own = gathered ? gathered->shared() : surface;  // the points that this process looks at
+  const StepSurface& own = gathered ? gathered->shared() : surface;  // the points that this process checks
   request.undeformed_gap = own.gap().array();
   request.mask = own.mask().data();
   const Company& company = own.points().company();
   if (gathered) {
     request.first_row = company.first_row();
     request.rows = company.own_rows(0);
-    if (request.rows == 0) {  // this process has none, and looks at a row that is nowhere near
+    if (request.rows == 0) {  // this process has none, and checks a row that is far away
       far.assign(static_cast<std::size_t>(surface.points().nx()), std::numeric_limits<double>::infinity());
       request.first_row = 0;
       request.rows = 1;

@@ -16,10 +16,10 @@ bool takes_gap(const rc_solver& solver, const rc_options& options);
 
 struct BoundProblem;
 
-// Runs one solver for one answer. It makes the problem that the solver sees, and its services.
+// Runs one solver for one answer. It makes the solver's problem and its services.
 class SolverRun {
  public:
-  // Runs the solver of answer.choice on answer.op. look: the most iterations of a solver that only looks at the grid; 0: it
+  // Runs the solver of answer.choice on answer.op. look: the most iterations of a solver that only tries the grid; 0: it
   // solves. history: null, or what the first run's start was made of, with room for what its solver keeps of its answer. All must
   // outlive it.
   SolverRun(const GridProblem& problem, const Answer& answer, Attempt& attempt, std::int64_t look = 0,

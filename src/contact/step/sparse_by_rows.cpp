@@ -51,7 +51,7 @@ CertifiedStep gathered(const CertifiedStep& last, const GridProblem& problem) {
   return all;
 }
 
-// What this process has of entries at points of the whole grid, in ascending order.
+// Calls take for the entries of this process, given the points of the whole grid in ascending order.
 template <class Take> void each_own(const GridProblem& problem, std::size_t n, const auto& point, const Take& take) {
   const std::int64_t before = problem.surface.points().company().first_row() * problem.system.given.nx,
                      end = before + problem.own_points();

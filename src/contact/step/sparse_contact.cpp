@@ -1,7 +1,7 @@
 // Contact at few of the points. A coarser grid estimates where, and the tiles there become the unknowns. The operator screens all
 // other points for overlap, without a product over the whole grid. Tiles that overlap are added and the step is solved again, so
 // the answer is that of all points. Where the operator cannot screen, as with periodic boundaries, single points become the
-// unknowns, and a product over the whole grid shows all others; processes make it together, each looks at its rows.
+// unknowns, and a product over the whole grid shows all others; processes make it together, and each checks its rows.
 #include "contact/step/sparse_contact.h"
 
 #include <algorithm>

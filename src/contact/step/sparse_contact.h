@@ -12,7 +12,7 @@
 namespace rc {
 
 // Nothing if contact is not sparse, or the options leave no backend that screens. estimate: that of a coarser grid, or
-// nothing; a step that starts from nothing then gets what a coarser grid told before it gave up.
+// nothing; a step without a start then gets the pressures that a coarser grid had found before it gave up.
 std::optional<Answer> sparse_contact(const GridProblem& problem, const Memory& memory, const Step& step, Attempt& attempt,
                                      std::optional<Estimate>& estimate);
 

@@ -6,7 +6,7 @@ namespace rc {
 class StepSurface;
 
 struct HeightMoments {
-  double mean = 0;    // [length] off by no more than 1e-13 of the range
+  double mean = 0;    // [length] accurate to 1e-13 of the range
   double square = 0;  // [length^2] sum of the squared differences to the mean
 };
 

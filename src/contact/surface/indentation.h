@@ -1,4 +1,4 @@
-// What steps leave behind where the pressure is the hardness: the overlap there becomes plastic and is added to the undeformed
+// The indentation that steps leave at points with the hardness: the overlap there is plastic and is added to the undeformed
 // gap of the steps that follow.
 #pragma once
 
@@ -23,7 +23,7 @@ class Indentation {
   // The given gap, without any indentation; empty where there is none.
   std::span<const double> given_gap() const { return gap_; }
 
-  // With the overlap of one more step. gap: the present one, without any indentation.
+  // The indentation after one more step with this overlap. gap: the undeformed gap without any indentation.
   Indentation with(const Overlap& overlap, const GapValues& gap) const {
     Indentation next(none() ? std::vector<double>(gap.size(), 0.0) : depth_, none() ? gap : GapValues(gap_));
     overlap.add_to(next.depth_);

@@ -31,7 +31,7 @@ struct File {
   }
 };
 
-// What others can write to is not loaded; "" if only its owner can.
+// The reason to refuse a file that others can write to; "" if only its owner can.
 std::string distrust(const struct stat& info, const std::string& path) {
   if (info.st_mode & S_IWOTH) return "plugin refused: " + path + " is world-writable; chmod o-w it";
   if (info.st_uid != 0 && info.st_uid != geteuid())

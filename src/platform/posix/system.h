@@ -1,4 +1,4 @@
-// What the files of this folder ask of each system's folder.
+// Functions that each system's folder defines for the files of this folder.
 #pragma once
 
 #include <cstdint>

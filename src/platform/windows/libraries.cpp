@@ -31,7 +31,7 @@ struct CloseAnyHandle {
 };
 using Handle = std::unique_ptr<void, CloseAnyHandle>;
 
-// Of the user whom this process runs for.
+// The identifier of the user who runs this process.
 struct CurrentUser {
   alignas(TOKEN_USER) unsigned char buffer[sizeof(TOKEN_USER) + SECURITY_MAX_SID_SIZE]{};
 
@@ -45,7 +45,7 @@ struct CurrentUser {
   }
 };
 
-// What others can write to is not loaded; "" if only its owner, the system and its administrators can.
+// The reason to refuse a file that others can write to; "" if only its owner, the system and its administrators can.
 std::string distrust(const std::string& path) {
   FileRights rights;
   PSECURITY_DESCRIPTOR descriptor = nullptr;

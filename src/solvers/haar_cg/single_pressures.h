@@ -16,7 +16,7 @@ class SinglePressures {
  public:
   SinglePressures(std::span<double> p, double cap, const rc_team& team)
       : p_(reinterpret_cast<std::byte*>(p.data())), n_(static_cast<std::int64_t>(p.size())), cap_(cap), team_(team) {
-    // What a range of values becomes lies before the range, but for the first value's.
+    // The converted values of a range lie before the range, except for the first value.
     for (std::int64_t begin = 0, end = std::min<std::int64_t>(1, n_); begin < n_; begin = end, end = std::min(2 * end, n_))
       convert<double, float>(begin, end);
   }

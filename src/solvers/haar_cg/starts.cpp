@@ -65,7 +65,7 @@ bool start_nested(const Problem& problem, const CoarseSolver& solver, std::span<
                           roughcontact::for_each(problem.team(), rows, rows * grid.nx >= least_shared_values,
                                                  [&](std::int64_t row, std::int64_t) { act(row); });
                         });
-    coarse.gap.reserve(1);  // a rank without rows gives arrays, too
+    coarse.gap.reserve(1);  // a rank without rows also gives arrays
     pressure.reserve(1);
     pressure.resize(static_cast<std::size_t>(coarse.nx * coarse.ny));
   });

@@ -1,4 +1,4 @@
-// What haar-cg starts from where it is given no pressures, or those of another load.
+// The start of haar-cg if it gets no pressures, or those of another load.
 #pragma once
 
 #include <span>

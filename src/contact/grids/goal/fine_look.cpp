@@ -62,7 +62,7 @@ std::optional<Numbers> AccuracyGoal::look(GridContact& given, const Step& step, 
   const System& system = problem.system;
   const Grid& grid = grids_[found.grid - 1];
   const GridProblem& coarse = grid.contact->problem();
-  // Prescribes the coarser grid's approach in load control, too: the error of the load that belongs to it is what counts.
+  // Also prescribes the coarser grid's approach in load control, because the goal is about the load that belongs to it.
   const Step at{{RC_CONTROL_APPROACH, found.estimate->approach}, {}, false, look_steps};
   found.status = RC_OK;
   const auto mean_gap = [&] { return surface.lowest() + surface.moments().mean; };

@@ -259,7 +259,7 @@ template <Machine M, class Poll> class HaarIteration {
     return task_.by_load && now_.free_load > 0 ? larger_of(0.0, task_.load - at_cap) / now_.free_load : 1;
   }
 
-  // Whether a product in double precision would tell no more than w does.
+  // Whether a product in double precision would not be more accurate than w.
   constexpr bool exact() const {
     return mean_ == 0 && !task_.elongated && (now_.free_load > 0 || !capped()) && precision_.known(worst(), task_.tol) &&
            std::abs(to_load() - 1) <= drift * task_.tol;
@@ -288,7 +288,7 @@ template <Machine M, class Poll> class HaarIteration {
   constexpr bool runs_away() const { return now_.merit > 0 && may_run_away(); }
   constexpr bool may_run_away() const { return task_.periodic_mean > 0 && !task_.by_load && !mean_tried_; }
 
-  // What the solution minimises, among pressures of one load where that is kept.
+  // The function that the solution minimises, in load control among pressures of one load.
   constexpr double merit() const { return now_.merit + 0.5 * datum_ * now_.load; }
 
   // After the first trouble fewer points enter the free set and a steepest step is made. After the others bounds also become

@@ -1,4 +1,4 @@
-// What the iteration of haar-cg requires of a machine: the place where vectors live and sums are computed.
+// The requirements of haar-cg's iteration on a machine: the place where vectors are stored and sums are computed.
 //
 // A machine holds one contact problem: the pressures p in double precision, at most cap; w = H p - u - datum, a direction t, its
 // product q = H t and two spare vectors z and y, all of type Real; the free set; and the preconditioner M, two multilevel trees.

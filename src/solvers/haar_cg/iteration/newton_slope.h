@@ -23,7 +23,7 @@ class NewtonSlope {
     else if (left < -1)
       set(factor_ * damping);
   }
-  // What the next step is to make up; NaN: not known.
+  // The missing load that the next step has to add; NaN: not known.
   constexpr void expect(double missing) { missing_ = missing; }
 
  private:

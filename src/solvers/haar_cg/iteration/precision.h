@@ -1,4 +1,4 @@
-// What a residual is worth in the machine's precision, and when a product in double precision computes it anew.
+// The accuracy of a residual in the machine's precision, and when a product in double precision replaces it.
 #pragma once
 
 #include "core/by_value.h"
@@ -15,7 +15,7 @@ template <class Real> class HaarPrecision {
   constexpr bool refresh_due() { return ++bounds_ >= refresh_every; }  // after a bound
   constexpr bool fresh() const { return bounds_ == 0; }                // no bound since the last one
   constexpr bool blurred(double residual) const { return single && residual <= drop * exact_; }
-  // Whether another product in double precision would tell no more than a residual that meets the tolerance.
+  // Whether another product in double precision would not be more accurate than a residual that meets the tolerance.
   constexpr bool known(double residual, double tol) const {
     return tol >= larger_of(sure * exact_, rounding) && residual <= surely * tol;
   }

@@ -1,4 +1,4 @@
-// What the iteration of haar-cg is asked, and how it ended.
+// The task of haar-cg's iteration, and how it ended.
 #pragma once
 
 #include <limits>

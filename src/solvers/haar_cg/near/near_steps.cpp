@@ -88,7 +88,7 @@ struct NearSteps::State {
                    : worst;
     limit = datum - admission * worst;
   }
-  // Of a point that has come with a pressure: whether its gap calls for less than that.
+  // Whether a point with pressure p remains in contact: its gap reduces the pressure by less than p.
   bool stays(std::size_t i, double p, double stiff) const { return p > stiff * (w[i] - datum); }
 };
 

@@ -179,8 +179,8 @@ class PlainTree {
     return above;
   }
 
-  // Of each wave along a period of n cells, up to the fourth lobe of a block's spectrum: the mean over a block times that over
-  // another, where these are the same or, with `neighbours`, two that join. Means over all blocks, weighted by the cells of both.
+  // For each wave along a period of n cells, up to the fourth lobe of a block's spectrum: the mean over a block times the mean
+  // over the same block or, with `neighbours`, the adjacent one. Averaged over all blocks, weighted by the cells of both.
   static Values shared_waves(const Line& line, const Line& above, std::int64_t n, bool neighbours) {
     const auto sums = [&](std::int64_t k, const std::vector<std::int64_t>& block) {
       std::complex<double> sum = 0;

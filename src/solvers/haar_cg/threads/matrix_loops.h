@@ -7,7 +7,7 @@
 namespace rc {
 
 struct MatrixLoops {
-  // Of a symmetric matrix of n rows, `stride` values apart, a multiple of 16; vectors have so many values.
+  // The matrix is symmetric, with n rows that are `stride` values apart, a multiple of 16; vectors have `stride` values.
   // x = a b
   void (*multiply)(std::size_t n, std::size_t stride, const float* a, const float* b, float* x);
   // x = a b, y = a c

@@ -14,7 +14,7 @@ enum class HaarUpdate { add, lower, grow, replace, begin };
 constexpr std::int64_t haar_run = 16;
 enum class HaarRun : std::uint8_t { busy, left, still };
 
-// What was found where pressures were cut.
+// The result of cutting pressures to the bounds.
 struct HaarCut {
   double load = 0;      // the sum of those kept
   bool any = false;     // some were cut

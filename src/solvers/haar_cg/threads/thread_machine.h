@@ -1,8 +1,8 @@
 // The machine of the threads of one process: vectorised loops over arrays. Each pass between two products is one fused loop.
 // Threads share chunks of a fixed size, so that sums do not depend on the number of threads.
 //
-// With `ranks` it is the machine of many processes. Each has the unknowns of its rows, every point of them; chunks are pieces of
-// rows, so that sums do not depend on the number of ranks, either.
+// With `ranks` several processes share a machine. Each has the unknowns of its rows, every point of them; chunks are pieces of
+// rows, so that sums do not depend on the number of ranks.
 #pragma once
 
 #include <cstddef>
@@ -91,7 +91,7 @@ template <class R, class Pressure = double> class ThreadMachine {
   // it has no room elsewhere) and the free set.
   std::unique_ptr<std::byte[]> memory_;
   std::optional<double> pressures_;  // the sum of p, once a cut has made it
-  // With ranks: sums that come along with others, because each exchange has its latency.
+  // With ranks these sums are exchanged together with others, because each exchange has its latency.
   std::optional<HaarSlope<Real>> slope_;  // of the next direction
   Real *w_, *t_, *q_;
   std::uint8_t* active_;

@@ -91,7 +91,7 @@ void HaarTree::share(const Ranks& ranks) {
   }
 }
 
-// What each rank clears of its own rows comes with them.
+// Clears the cells before and after the rows of all ranks; inside the rows each rank has cleared its own.
 void HaarTree::clear_around_whole_rows() {
   const Level& whole = levels_[first_whole_];
   float* const values = cells(first_whole_);

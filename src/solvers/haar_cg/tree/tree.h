@@ -54,9 +54,9 @@ class HaarTree {
   std::int64_t columns() const { return levels_.front().mx; }  // of cells
   static std::int64_t rows_per_part(std::int64_t columns);     // of cells
 
-  // Of levels that ranks share: the first that they do not, on which each has made its rows of values. 0: they share none.
+  // The first level that ranks do not share; each rank has computed its rows of values there. 0: they share none.
   std::size_t first_whole() const { return first_whole_; }
-  // Of that level: values before the first row, and of each rank's rows.
+  // The values of that level before the first row; the numbers of values of each rank's rows.
   float* whole_rows() { return cells(first_whole_) + levels_[first_whole_].lead_y * levels_[first_whole_].pitch; }
   const std::vector<std::int64_t>& whole_values() const { return whole_values_; }
   void clear_around_whole_rows();
@@ -101,12 +101,12 @@ class HaarTree {
   struct Size {
     std::size_t values = 0, blocks = 0;
   };
-  // Of the children of eight blocks, in two rows of 16; -1: none.
+  // Positions of the children of eight blocks, in two rows of 16; -1: none.
   struct Places {
     std::int64_t first[16], second[16];
     // end > 0: every step-th child from begin to end-1 of a row is there; they lie side by side from first[0] or second[0] on.
     std::int64_t begin = 0, end = 0, step = 1;  // step 2: blocks have one cell along x
-    // With that: the first child of each row, where it is the last cell of a period; -1: none.
+    // If end > 0: the first child of each row if it is the last cell of a period; -1: none.
     std::int64_t around_first = -1, around_second = -1;
 
     template <class Value> void gather(const Value* from, Value* to_first, Value* to_second) const;

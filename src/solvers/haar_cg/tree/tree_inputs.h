@@ -15,7 +15,7 @@ struct CouplingTable {
   std::int64_t mx, my;
   std::vector<double> k;  // [iy*mx + ix]
   double hx, hy;          // cell size
-  // Of a periodic surface: cells of a period, the dimensionless 1/E*, and what was added to every coefficient.
+  // Periodic surfaces: cells of a period, the dimensionless 1/E*, and the mean that was added to every coefficient.
   std::int64_t nx = 0, ny = 0;
   double softness = 0, mean = 0;
 };

@@ -86,7 +86,7 @@ template <class Visit> void HaarTree::each_row(std::size_t level, std::int64_t p
   for (std::int64_t row = part * rows; row < std::min((part + 1) * rows, l.rows); ++row) visit(row, std::int64_t{0}, l.groups);
 }
 
-// Of the finest level: whether a row of cells is there, and where. In a period the last row comes before the first.
+// Whether the finest level has this row of cells. In a period the last row comes before the first.
 bool HaarTree::has_row(std::int64_t y) const {
   const Level& l = levels_.front();
   return y >= -std::max<std::int64_t>(l.before, l.around_y) && y < l.my;

@@ -12,7 +12,7 @@ struct HaarProducts {
   double zq = 0, zg = 0, tg = 0;
 };
 
-// What the slope along z + beta t follows from.
+// The terms from which the slope along z + beta t is computed.
 template <class Real> struct HaarSlope {
   const Real* t;
   double along_z = 0, along_t = 0;
@@ -56,7 +56,7 @@ class HaarTreePair {
 
   HaarTree tree_[2];
   const Ranks* ranks_;
-  // Of the first level that ranks do not share: each rank's bytes, this rank's values, and all.
+  // At the first level that ranks do not share: each rank's bytes, this rank's values, and all values.
   std::vector<std::int64_t> joined_bytes_;
   std::vector<float> given_, joined_;
   Cells cells_;

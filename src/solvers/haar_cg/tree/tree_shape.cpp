@@ -44,7 +44,7 @@ Sides joined(const Sides& sides, bool merge, std::int64_t shift, bool around) {
   return above;
 }
 
-// Of each wave number along one direction, up to the fourth lobe of a block's spectrum: how much of the wave a block shares with
+// For each wave number along one direction, up to the fourth lobe of a block's spectrum: how much of the wave a block shares with
 // itself, and with the neighbour that it joins. Means over all blocks, weighted by their loads under the same pressure
 // everywhere: such a pressure then deflects no more than it should where the blocks at the ends are smaller.
 struct SharedWaves {

@@ -24,8 +24,8 @@ struct HaarTreeLevel {
   std::int64_t columns = 0, rows = 0;       // of blocks
 };
 
-// Of the surplus, which is taken off the coupling of the whole with itself: what must be left of that. Trees that know couplings
-// in periods come nearer.
+// The surplus is subtracted from the coupling of the whole with itself; at least this share must remain. Trees with couplings in
+// periods can go lower.
 inline float haar_least_top(const CouplingTable& table) { return table.nx > 0 ? 0.03F : 0.1F; }
 
 // From the finest level up to the one whose block is the whole. `shifted`: the blocks of every second level begin one cell
