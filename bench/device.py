@@ -159,7 +159,7 @@ def main():
         rows['missing'].append({'what': f'passes {largest}', 'error': measured['error']})
     for n, tol in large:
         run('solves', 200, solve, n, 'load', tol, *pair, CORES, 2)
-    commit = SETTING('RC_DEVICE_COMMIT') or subprocess.run(['git', '-C', ROOT, 'describe', '--always', '--dirty', '--abbrev=12'], capture_output=True,
+    commit = SETTING('RC_DEVICE_COMMIT') or subprocess.run(['git', '-C', ROOT, 'describe', '--always', '--dirty', '--abbrev=12', '--exclude=*'], capture_output=True,
                                                            text=True, check=False).stdout.strip() or 'unknown'
     result = {'benchmark': 'device', 'date': time.strftime('%Y-%m-%dT%H:%M:%SZ', time.gmtime()), 'commit': commit,
               'device': asked('name,driver_version,memory.total') or 'host', **rows, **({} if 'error' in measured else measured)}

@@ -4,6 +4,7 @@ import shutil
 import subprocess
 
 import failures_tables
+import outdated
 import paper_pictures
 import paper_tables
 import peers_report
@@ -104,6 +105,8 @@ DOCUMENTS = {'speed-accuracy': (measure_speed_accuracy, speed_accuracy_tables.se
 
 
 def run(request):
+    if request.check:
+        outdated.check()
     for name in request.names or DOCUMENTS:
         measure, *make = DOCUMENTS[name]
         remake = Remake(name, request)
@@ -113,6 +116,7 @@ def run(request):
 
 
 question('documents', 'measures what documents say and show, and writes their tables and pictures', run, {
+    'check': (bool, False, 'measure nothing: list the pages whose numbers are older than the library; exit status 1 if there are any'),
     'written': (bool, False, 'measure nothing: tables and pictures from the results that are there'),
     'surfaces': (folder, MEASURED if os.path.isdir(MEASURED) else '', 'folder with measured surfaces'),
     'surface': (str, '', 'a measured surface for the failure atlas'), 'figures': (str, '', 'of the paper, 4,6 and the like; all'),

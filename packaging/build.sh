@@ -16,17 +16,17 @@ cmake -S . -B $build -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX=/usr \
   -DCMAKE_INSTALL_LIBDIR="lib/$(dpkg-architecture -q DEB_HOST_MULTIARCH)" -DCMAKE_SKIP_INSTALL_RPATH=ON -DCMAKE_INSTALL_SO_NO_EXE=1 \
   -DCMAKE_C_FLAGS="$(flags CFLAGS CPPFLAGS)" -DCMAKE_CXX_FLAGS="$(flags CXXFLAGS CPPFLAGS)" -DCMAKE_EXE_LINKER_FLAGS="$(flags LDFLAGS)" \
   -DCMAKE_SHARED_LINKER_FLAGS="$(flags LDFLAGS)" -DCMAKE_MODULE_LINKER_FLAGS="$(flags LDFLAGS)" \
-  -DRC_BUILD_TESTS=OFF -DRC_BUILD_BENCH=OFF -DRC_BUILD_EXAMPLES=OFF >/dev/null
+  -DRC_CUDA=OFF -DRC_BUILD_TESTS=OFF -DRC_BUILD_BENCH=OFF -DRC_BUILD_EXAMPLES=OFF >/dev/null
 cmake --build $build -j "$(nproc)"
 rm -rf $build/_CPack_Packages "$out"/*roughcontact*.deb
 (cd $build && cpack -G DEB -B "$out" >cpack.log 2>&1) || { tail -30 $build/cpack.log; exit 1; }
 rm -rf "$out/_CPack_Packages"
 
-# CPack puts calls of ldconfig beside the trigger by which Debian wants it.
-for deb in "$out"/libroughcontact*[0-9]_*.deb; do
+# CPack puts calls of ldconfig beside the trigger by which Debian wants it, and the hour of the build into the archives.
+for deb in "$out"/*.deb; do
   tree=$(mktemp -d)
   dpkg-deb --raw-extract "$deb" "$tree"
-  rm -f "$tree"/DEBIAN/{postinst,postrm}
+  [[ $deb != */libroughcontact*[0-9]_* ]] || rm -f "$tree"/DEBIAN/{postinst,postrm}
   dpkg-deb --build --root-owner-group -Zxz "$tree" "$deb" >/dev/null
   rm -rf "$tree"
 done

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# bootstrap.sh [--tests]: installs the Debian packages of scripts/packages.txt that are not there yet; with --tests also those of
-# packages-tests.txt, without which some tests skip.
+# bootstrap.sh [--tests] [--release]: installs the Debian packages of scripts/packages.txt that are not there yet; with --tests also
+# those of packages-tests.txt, without which some tests skip; with --release those of packages-release.txt, for scripts/release.sh.
 set -euo pipefail
 lists=("$(dirname "$0")/packages.txt")
-[ "${1:-}" != --tests ] || lists+=("$(dirname "$0")/packages-tests.txt")
+for option in "$@"; do lists+=("$(dirname "$0")/packages-${option#--}.txt"); done
 if ! command -v dpkg-query >/dev/null; then
   echo "not a Debian system: install by hand what corresponds to $(cat "${lists[@]}" | tr "\n" " ")"
   exit 0

@@ -9,11 +9,13 @@ import pathlib
 import re
 import sys
 
-# The version is the first group of the first match in the file.
+# The version is in the groups of the first match in the file.
 SAYS = {
     "CHANGELOG.md": r"^## (\S+)",
     "CITATION.cff": r"^version: (\S+)",
     "bindings/python/roughcontact/__init__.py": r'^__version__ = "(.*)"',
+    "docs/how-to/cite.md": r"solved with roughcontact (\S+)",
+    "include/roughcontact/roughcontact.h": r"MAJOR (\d+)\n.*MINOR (\d+)\n.*PATCH (\d+)",
     "packaging/conda/recipe.yaml": r'^  version: "(.*)"',
     "packaging/spack/package.py": r'^    version\("(.*?)"',
 }
@@ -30,8 +32,9 @@ def main() -> int:
                 says[str(file.relative_to(source))] = r'\.version = "(.*?)"'
     for name, pattern in says.items():
         found = re.search(pattern, (source / name).read_text(), re.M)
-        if not found or found[1] != version:
-            wrong.append(f"{name} says {found[1] if found else 'nothing'}, CMakeLists.txt {version}")
+        says_version = ".".join(found.groups()) if found else "nothing"
+        if says_version != version:
+            wrong.append(f"{name} says {says_version}, CMakeLists.txt {version}")
     declared = "".join(file.read_text() for file in [source / "CMakeLists.txt", source / "tools/CMakeLists.txt", *(source / "bindings").rglob("CMakeLists.txt")])
     options = set(re.findall(r"(?:option|set)\((RC_\w+)", declared))
     for name in RECIPES:

@@ -1,0 +1,52 @@
+"""outdated.py [SOURCE]: which measured numbers in documents are older than the library in this folder (the tree of this file). A line for each
+page and commit; exit status 1 if there are any."""
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+LIBRARY = ('src', 'backends', 'include')
+COMMIT = re.compile(r'(?:roughcontact [0-9.]+ \(|commit )([0-9a-f]{7,40})(-dirty)?\b')
+
+
+def outdated(source):
+    """Lines on the pages with measured sections ("<!-- begin NAME -->") below docs."""
+    def git(*arguments):
+        ran = subprocess.run(['git', '-C', source, *arguments], capture_output=True, text=True, check=False)
+        return None if ran.returncode else ran.stdout.split()
+
+    if not shutil.which('git') or git('rev-parse', '--show-prefix') != []:
+        return [f'{source}: no history of git, so the age of the numbers is unknown']
+    found = []
+    for folder, _, names in sorted(os.walk(os.path.join(source, 'docs'))):
+        for name in sorted(name for name in names if name.endswith('.md')):
+            with open(os.path.join(folder, name), encoding='utf-8') as page:
+                text = page.read()
+            if not re.search('^<!-- begin ', text, re.MULTILINE):
+                continue
+            page = os.path.relpath(os.path.join(folder, name), source)
+            commits = list(dict.fromkeys(COMMIT.findall(text)))
+            if not commits:
+                found.append(f'{page}: names no commit of the library')
+            for commit, dirty in commits:
+                if git('merge-base', '--is-ancestor', commit, 'HEAD') is None:
+                    found.append(f'{page}: {commit}{dirty} is not in this history')
+                    continue
+                files = git('diff', '--name-only', '--no-renames', commit, 'HEAD', '--', *LIBRARY)
+                since = git('rev-list', '--count', f'{commit}..HEAD', '--', *LIBRARY)[0]
+                words = [f'{len(files)} files of {", ".join(LIBRARY)} differ, by {since} commits'] if files else []
+                words += ['measured with changes that no commit has'] if dirty else []
+                if words:
+                    found.append(f'{page}: {commit}{dirty}: {"; ".join(words)}')
+    return found
+
+
+def check(source=os.path.dirname(os.path.dirname(os.path.abspath(__file__)))):
+    lines = outdated(source)
+    print('\n'.join(lines) or 'all measured numbers are of this library')
+    sys.exit(bool(lines))
+
+
+if __name__ == '__main__':
+    check(*sys.argv[1:])
