@@ -48,6 +48,13 @@ def time_products(system, gap, approach, backend='auto', threads=1, budget=0.3, 
     return _seconds('time_products', C.byref(struct), gap, approach, backend, threads, float(budget), single, y if want else None), y
 
 
+def time_passes(points, share, budget, count):
+    """(seconds, bytes) of `count` passes over so many points, a share of them in contact."""
+    seconds, moved = np.empty(count), np.empty(count)
+    _call('time_passes', points, float(share), float(budget), seconds, moved)
+    return seconds, moved
+
+
 class PaddedProduct:
     """The product by one transform of the grid padded to 2n x 2n."""
 

@@ -18,7 +18,8 @@ namespace {
 constexpr double worth_opening = 7.5e-5;
 constexpr double usual_products = 100;  // of a solver that does not say what it costs
 
-constexpr std::int64_t least_dilute_points = 256 * 256;
+// Of the grid, for contact at few of them. On smaller grids the estimate costs more than it saves.
+constexpr std::int64_t least_dilute_points = 512 * 512, least_dilute_of_period = 256 * 256;
 // The choice for sparse contact is made before the unknowns are known: it assumes at most this many.
 constexpr std::int64_t most_few = 1 << 24;
 constexpr double few_share = 0.05;  // of the grid's points: products that cost by the contact are cheaper below
@@ -340,7 +341,8 @@ bool few(std::int64_t contacts, std::int64_t points, bool by_rows) {
 }
 
 std::optional<Choice> choose_for_few(const rc_options& options, const System& system, std::int32_t control, bool by_rows) {
-  if (!system.halfspace() || (!system.periodic() && !system.positive) || system.points() < least_dilute_points ||
+  if (!system.halfspace() || (!system.periodic() && !system.positive) ||
+      system.points() < (system.periodic() ? least_dilute_of_period : least_dilute_points) ||
       options.text(RC_OPT_SOLVER) != "auto" || options.text(RC_OPT_WARMUP) != "none" ||
       !options.text(RC_OPT_CERTIFY_BACKEND).empty() || options.text(RC_OPT_BACKEND).find(',') != std::string::npos)
     return std::nullopt;

@@ -25,6 +25,8 @@ for row in scaling['solves']:
     assert abs(row['area_found'] / row['area_wanted'] - 1) < 0.1, row
     assert row['bytes_per_point_in_all'] > row['bytes_per_point'] > 0 and row['product_seconds_best'] > 0, row
 
+for row in run('passes', '--quick')['rows']:
+    assert row['ns'] > 0 and row['share'] > 0, row
 products = run('products', '--quick', '--sizes', '128')
 for row in products['products']:
     assert row['difference'] < 1e-12 and row['single_difference'] < 1e-5, row
