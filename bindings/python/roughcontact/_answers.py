@@ -159,7 +159,7 @@ def _unpacked(value: Any, arrays: Any) -> Any:
 
 
 def load(file: Union[str, "os.PathLike[str]"]) -> Any:
-    """The `Result`, `HistoryResult` or `BatchResult` that `save` has written."""
+    """Reads an answer that `save` has written: a `Result`, `HistoryResult` or `BatchResult`."""
     with np.load(file, allow_pickle=False) as arrays:
         if "answer" not in arrays:
             raise ArgumentError(f"{os.fspath(file)} holds no answer of this package")

@@ -16,7 +16,7 @@ from ._structs import rc_gradient, rc_tangent
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Gradient:
-    """How a number J that follows from a step's answer changes with the step's data.
+    """Derivatives of a number J, which depends on a step's answer, by the step's data.
 
     gap: by each value of the undeformed gap, of the grid's shape; by a height it is the opposite, as long as the highest point
         does not move
@@ -38,7 +38,7 @@ class Gradient:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Tangent:
-    """How a step's answer changes with given changes of its data.
+    """Change of a step's answer for given changes of its data.
 
     pressure, gap: of pressures and deformed gap, of the grid's shape; load, approach
     error: the Euclidean norm of what the solves leave wrong in pressure is at most this; undecided, products: as in `Gradient`

@@ -32,7 +32,7 @@ class Surface:
     periodic: True: the surface repeats; False: it ends at its edges; None: not known
     mask: [ny, nx] 0 where a point is missing; None: all are there
     unit: of all lengths, if it is known ("um")
-    assumed: what a file leaves open and how it was taken; "" for surfaces that were not read
+    assumed: assumptions about what a file leaves open; "" for surfaces that were not read
     """
 
     heights: Doubles

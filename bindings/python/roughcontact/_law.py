@@ -97,7 +97,7 @@ class Law(OwnsHandle):
         return self._evaluated(x)[2]
 
     def bounds(self, x: ArrayLike) -> Bounds:
-        """Between which the exact pressure of the patch's grid lies."""
+        """Bounds of the exact pressure of the patch's grid."""
         points = self._points(x)
         return Bounds(points("p_lower"), points("p_upper"))
 
@@ -134,7 +134,7 @@ class Law(OwnsHandle):
         force: float = 1,
         beyond: float = 0,
     ) -> float:
-        """Writes a table for another program; how far straight lines between its rows are from the law, over p.
+        """Writes a table for another program. Returns the largest distance of straight lines between its rows from the law, over p.
 
         format: "csv", "calculix", "abaqus", "moose" or "table"
         rows, length, force, beyond: as in `rc_law_export_spec`; k: conductivities, for a conductance in the table
@@ -208,7 +208,7 @@ def law(
     tolerance, conductance_tolerance: half the distance between the bounds, relative; conductance_tolerance=0: no limit
     bulk: "auto", "none", "mean", or a stiffness [force/length], see `rc_law_spec`
     check_status: False: a law whose tolerance is not proven is returned, with its status, instead of a `NotCertifiedError`
-    The others are those of `solve`, and of `rc_law_spec`.
+    Other arguments as in `solve` and `rc_law_spec`.
     """
     options = options_of(law, options, keywords, context)
     found, gap, points = system_for(

@@ -108,10 +108,10 @@ def solve(
     pressure: load over the area of the grid [force/length^2]
     undeformed_gap: the undeformed gap [ny, nx] instead of heights [length]; also an array on a device, see `Contact.solve`
     mask: [ny, nx], 0 at points that carry no pressure and whose heights are ignored. None: all points may carry pressure
-    missing: what is done with masked or NaN heights: "reject", "exclude" (they carry no pressure) or "fill" (interpolated)
+    missing: rule for masked or NaN heights: "reject", "exclude" (they carry no pressure) or "fill" (interpolated)
     start: pressures [ny, nx] to begin with [force/length^2]; None: the solver's
     want_pressure: whether the result holds the pressures [ny, nx]
-    want_gap: whether it holds the deformed gap [ny, nx]; without it sparse contact on a large grid costs no more than the contact
+    want_gap: whether it holds the deformed gap [ny, nx], which is expensive for sparse contact on a large grid
     check: whether a stop before the tolerance raises `NotCertifiedError`, which has the result; otherwise look at its status.
         Status.WITHIN_GOAL never raises
     system: replaces pitch, modulus, boundary, unit and hardness: a `HalfSpace`, `Matrix` or `Product`
@@ -189,8 +189,8 @@ def history(
     """Solves the steps of a loading history in order, each from the pressures of the one before.
 
     approach, load or pressure: one value for each step, in any order
-    virgin: whether every step presses the surface as it is before the first, with a hardness: none sees the plastic
-        indentation of those before it
+    virgin: with a hardness: whether every step presses the surface without the plastic indentation of the steps before
+            it
     stiffness: whether to compute dW/dd
     keep_pressure: whether to keep the pressures of all steps
     want_gap: whether each step computes its deformed gap, for the mean gap of sparse contact; with `each` it does

@@ -92,7 +92,7 @@ class Histogram:
 
 @dataclass(frozen=True)
 class Crossing:
-    """Along which axes a connected part of the contact, and of the open gap, reaches across: "none", "x", "y" or "xy"."""
+    """Axes along which the contact, and the open gap, connects opposite sides: "none", "x", "y" or "xy"."""
 
     contact: str
     gap: str

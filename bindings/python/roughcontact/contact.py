@@ -124,12 +124,11 @@ class Contact(Handle):
             CUDA device, float64 or float32, is read there, and the result's arrays are of the same kind on that device
         approach: approach of the bodies [length], load: normal force [force], or pressure: load over the area of the grid
         mask: of the system's shape, 0 where a point carries no pressure; its gap may then be NaN
-        missing: what is done with masked or NaN heights: "reject", "exclude" or "fill"
+        missing: rule for masked or NaN heights: "reject", "exclude" or "fill"
         start: pressures to begin with [force/length^2]
         warm_start: whether to begin with the last certified pressures; None: as the library
-        borrow: gap and mask are not copied by the library; the contact keeps them, and they are to stay as they are
-        want_pressure, want_gap: which arrays the result is to hold; without a gap, sparse contact on a large grid costs no more
-            than the contact
+        borrow: gap and mask are not copied by the library; the contact keeps them, and they must not change
+        want_pressure, want_gap: arrays that the result holds; the gap is expensive for sparse contact on a large grid
         single: undeformed_gap, of which float32 is not copied, and the result's arrays are float32: half the memory. With borrow
             undeformed_gap may be a numpy.memmap, of a file larger than the memory
         check: whether a stop before the tolerance raises `NotCertifiedError`, which has the result; otherwise look at its
@@ -204,19 +203,19 @@ class Contact(Handle):
     def gradient(
         self, pressure: Optional[ArrayLike] = None, gap: Optional[ArrayLike] = None, *, load: float = 0.0, approach: float = 0.0
     ) -> Gradient:
-        """Derivatives of a number J by all data of the last step, which must be certified, from how J changes with its answer.
+        """Derivatives of a number J by all data of the last step, which must be certified. Give the derivatives of J by the answer:
 
         pressure, gap: dJ/dp and dJ/dg for pressures and deformed gap, of the system's shape; None: 0
         load, approach: dJ/dload and dJ/dapproach
 
-        Without any, J is the load of a step with given approach, and the approach of one with given load.
+        Without them, J is the load if the approach was given, and the approach if the load was given.
         """
         struct, out, inputs = gradient_request(self.system.shape, pressure, gap, load, approach)
         self._differentiate(contact_library().rc_contact_gradient, struct, out, inputs)
         return gradient_from(struct, out)
 
     def tangent(self, undeformed_gap: Optional[ArrayLike] = None, *, target: float = 0.0, modulus: float = 0.0) -> Tangent:
-        """How the answer of the last step, which must be certified, changes with its data.
+        """Change of the answer of the last step, which must be certified, for given changes of its data.
 
         undeformed_gap: change of the undeformed gap, of the system's shape [length]; None: 0
         target: change of approach [length] or load [force]; modulus: of E* [force/length^2]
@@ -291,7 +290,7 @@ class Contact(Handle):
         return left
 
     def explain(self) -> str:
-        """Why "auto" chose what it did in the last step on the given grid: a line for each solver and backend."""
+        """The reasons for the choice of "auto" in the last step on the given grid: a line for each solver and backend."""
         text = ctypes.c_char_p()
         with self._holding() as handle:
             check(contact_library().rc_contact_explain(handle, text))

@@ -1,4 +1,4 @@
-"""What there is: backends, solvers, kernels and options by name, in the default registry or one of your own."""
+"""Backends, solvers, kernels and options by name, in the default registry or a separate one."""
 
 from __future__ import annotations
 
@@ -100,14 +100,14 @@ class Context(OwnsHandle):
         weakref.finalize(self, library.rc_context_destroy, handle).atexit = False
 
     def add_kernel(self, name: str, symbol: Symbol, summary: str = "a Python function") -> None:
-        """Adds a kernel for periodic boundaries: options={"kernel": name} then presses what it describes.
+        """Adds a kernel for periodic boundaries, to be used with options={"kernel": name}.
 
         symbol: called with wave numbers qx, qy >= 0, arrays of one shape [1/length], when a contact is made and on its threads;
-            returns E* times what a wave of unit pressure deflects [length], 2 / hypot(qx, qy) on a half-space. The mean's, at
-            qx = qy = 0, is not looked at. What it raises comes back as the message of an ExternalError
+            returns E* times the deflection by a wave of unit pressure [length], 2 / hypot(qx, qy) for a half-space. The value at
+            qx = qy = 0 is not used. An exception becomes the message of an ExternalError
 
-        The function, all that it refers to and about 3 kB stay until the process ends, whatever becomes of the context: add a
-        kernel once, and let it read what changes from an object that you keep.
+        The function, all that it refers to and about 3 kB remain in memory until the process ends, even without the context: add a
+        kernel once, and let it read changing parameters from an object that you keep.
         """
         register(self.handle, name, symbol, summary)
 
@@ -229,7 +229,7 @@ def effective_options(given: Options = None, context: Optional[Context] = None) 
 
 
 def default(key: str) -> OptionValue:
-    """What an option is where nobody sets it."""
+    """The default of an option."""
     with OptionSet(None, None) as handle:
         return _value(handle, key)
 

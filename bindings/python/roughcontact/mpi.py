@@ -40,7 +40,7 @@ Made = TypeVar("Made")
 
 @dataclass(frozen=True)
 class Counts:
-    """What the ranks have exchanged for a contact since it was made: bytes are of this rank."""
+    """Numbers of exchanges for a contact since it was created, and bytes of this rank."""
 
     products: int  # with H, of which each transposes twice
     transpositions: int
@@ -74,7 +74,7 @@ def _together(world: Any, make: Callable[[], Made]) -> Made:
 
 
 def rows(system: HalfSpace, comm: Any = None) -> slice:
-    """Which rows of the grid this rank has, of the first axis; it may have none. comm: an mpi4py communicator; None: all ranks."""
+    """The rows of the grid, along the first axis, that this rank has; it may have none. comm: an mpi4py communicator; None: all ranks."""
     handle = _world(comm).py2f()
     struct, _ = system.struct()
     first, count = ctypes.c_int64(), ctypes.c_int64()
@@ -191,7 +191,7 @@ class Contact(OwnsHandle):
         return self._run(mpi_library().rc_mpi_contact_certify, prepared, want_gap, check)
 
     def counts(self) -> Counts:
-        """What this rank has sent and received."""
+        """Numbers and bytes of this rank's exchanges."""
         self._refuse_closed()
         struct = rc_ranks_counts()
         check_status(mpi_library().rc_mpi_contact_counts(self._handle, struct))

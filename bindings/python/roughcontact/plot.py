@@ -1,7 +1,7 @@
 """Pictures with matplotlib, which is imported when one is made. Every function returns the axes it drew on.
 
-Maps have x to the right and y down, from the first row of the array on, as the command's pictures have. Where nothing touches
-they are dark: contact of a few points is seen.
+Maps have x to the right and y down, from the first row of the array on, like the command's pictures. Points without contact
+are dark, so that small contacts are visible.
 
 si: whether lengths are in m, forces in N and pressures in Pa, as the axes then say with a prefix ("20 um"); else they have
     plain numbers.

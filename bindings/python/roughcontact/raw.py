@@ -1,4 +1,4 @@
-"""The C interface as it is: constants and structs under their names in the headers, and the loaded libraries.
+"""The C interface: constants and structs under their names in the headers, and the loaded libraries.
 
     from roughcontact import raw
     library = raw.contact_library()

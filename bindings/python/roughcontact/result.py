@@ -162,12 +162,12 @@ class Result(Answer):
 
     @property
     def corrected_area(self) -> float:
-        """Contact area less what cells at its border add [length^2]."""
+        """Contact area, corrected for partly covered cells [length^2]."""
         return self._measured.corrected_area
 
     @property
     def patches(self) -> int:
-        """How many parts the contact has, connected across edges; `find_patches` finds them."""
+        """Number of connected parts of the contact, across edges; `find_patches` finds them."""
         return self._measured.patches
 
     @property
@@ -177,12 +177,12 @@ class Result(Answer):
 
     @property
     def contact_crosses(self) -> str:
-        """Along which axes a connected part of the contact reaches across: "none", "x", "y" or "xy"."""
+        """Axes along which the contact connects opposite sides: "none", "x", "y" or "xy"."""
         return self._measured.contact_crosses
 
     @property
     def gap_crosses(self) -> str:
-        """The same for what is left open: through "none" nothing leaks."""
+        """Axes along which the open gap connects opposite sides; with "none" nothing leaks."""
         return self._measured.gap_crosses
 
     @cached_property

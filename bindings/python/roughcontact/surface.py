@@ -1,4 +1,4 @@
-"""Making and judging rough surfaces. These functions load libroughcontact-surface, which links the GNU Scientific Library
+"""Generation and analysis of rough surfaces. These functions load libroughcontact-surface, which links the GNU Scientific Library
 (GPL).
 
 Generators return a `Surface`; what they are not given has the value of the header's RC_SURFACE_..._INIT macros. Whatever takes a
@@ -220,7 +220,7 @@ class Spectrum:
 
 @dataclass(frozen=True, eq=False)
 class PowerLaw:
-    """What the spectrum is like; NaN where something was not seen.
+    """Features of the spectrum; NaN for those that were not found.
 
     hurst: exponent of the longest power-law range, hurst_error: half of its 95 % interval
     C = prefactor q^slope for q_min <= q <= q_max; q_rolloff: below it the PSD is flat; q_cutoff: above it the PSD falls faster
@@ -242,11 +242,11 @@ class PowerLaw:
 
 @dataclass(frozen=True)
 class CmrAdvice:
-    """Whether cascade multi-resolution without a check of what it left out can be trusted on a surface.
+    """Whether cascade multi-resolution without a check of omitted points can be trusted on a surface.
 
-    trustworthy: whether unresolved <= limit; reason: the verdict in words
+    trustworthy: whether unresolved <= limit; reason: the advice in words
     levels: halvings of the grid, as asked; safe_levels: the largest number for which it is trustworthy
-    unresolved: share of the roughness within reach that the coarsest grid does not see; unresolved_overall: over the whole
+    unresolved: share of the roughness within reach that the coarsest grid does not resolve; unresolved_overall: over the whole
         surface
     peak_loss: by how much sub-sampling lowers the highest point, over the approach; approach, coarsest_pitch [length]
     """
@@ -291,7 +291,7 @@ def analyze(
     """Moments of the heights.
 
     surface: see the module; periodic: differences across the edges; None: as the surface says, else not
-    trend: what is removed first: "mean", "plane", or "auto": the mean of periodic surfaces, else the plane
+    trend: removed first: "mean", "plane", or "auto": the mean of periodic surfaces, else the plane
     """
     struct, _kept = _map(surface, pitch, periodic, trend)
     out = rc_surface_statistics()

@@ -34,7 +34,7 @@ BOUNDARIES: Dict[Repeats, int] = {
 
 
 class AssumedBoundary(UserWarning):
-    """Neither the caller nor the surface says whether it ends at its edges: it is taken as a sample of a larger surface."""
+    """Neither the caller nor the surface gives a boundary: the map is treated as a periodic sample of a larger surface."""
 
 
 def boundary_of(given: Optional[str], periodic: Optional[bool]) -> str:
@@ -62,7 +62,7 @@ class System(ABC):
 
     shape: of gaps and pressures
     pitch: (hx, hy), hx along the last axis [length]
-    hardness: the largest pressure [force/length^2]; None: none, all is elastic
+    hardness: the largest pressure [force/length^2]; None: elastic
     """
 
     shape: Shape
@@ -115,7 +115,7 @@ class HalfSpace(System):
     boundary: "periodic": the grid is a sample of a larger surface; "free": the body ends at the grid's edges; "periodic-x",
         "periodic-y": it repeats along this axis only; None: periodic, with an `AssumedBoundary` warning
     hardness: the largest pressure [force/length^2]; None: none. Where it acts the bodies may overlap, and the overlap is a
-        plastic indentation that stays for the steps that follow, see `Contact.indentation`
+        plastic indentation that remains in later steps, see `Contact.indentation`
     """
 
     def __init__(
