@@ -115,7 +115,7 @@ def draw(file, texture, parameters, approaches, wanted, first, loads, by_gap, si
     matplotlib.use("agg")
     import matplotlib.pyplot as plt
 
-    figure, axes = plt.subplots(1, 3, figsize=(12, 3.6), layout="constrained")
+    figure, axes = plt.subplots(1, 3, figsize=(9, 3), layout="constrained")
     for label, curve, style in (("wanted", wanted, "k--"), ("first texture", first, "C1-"), ("fitted", loads, "C0o-")):
         axes[0].plot(approaches * 1e6, curve, style, label=label, markersize=4)
     axes[0].fill_between(approaches * 1e6, loads - 2 * sigmas, loads + 2 * sigmas, color="C0", alpha=0.3, label="2 std. dev.")
@@ -124,7 +124,7 @@ def draw(file, texture, parameters, approaches, wanted, first, loads, by_gap, si
     extent = 2 * [-SIDE / 2 * 1e6, SIDE / 2 * 1e6]
     maps = (1e6 * (texture.gap(parameters) - texture.sphere), "depth of the dimples [um]", "viridis"), (
         -1e-6 * by_gap[-1],
-        "dF/dz at the largest approach [N/um per point]",
+        "dF/dz [N/um per point]",
         "magma",
     )
     for each, (values, title, colours) in zip(axes[1:], maps):

@@ -34,7 +34,7 @@ path = rc.history(level, boundary="periodic", E=3e9, nu=0.4, pressure=[2e6, 5e6,
 result = rc.solve(level, boundary="periodic", E=3e9, nu=0.4, pressure=20e6)
 print(result)
 
-figure, axes = plt.subplots(2, 2, figsize=(9, 7))
+figure, axes = plt.subplots(2, 2, figsize=(9.5, 7))
 rc.plot.heights(level, ax=axes[0, 0])
 rc.plot.pressure(result, ax=axes[0, 1])
 rc.plot.history(path, ax=axes[1, 0])

@@ -3,7 +3,7 @@
 #
 # The same rough map under the same mean pressures: as a sample of a larger surface (periodic), and as a body that ends at the map's
 # edges (free). A free map is a punch: pressures rise towards its edges, and its stiffness cannot exceed that of a flat square of its
-# size, whatever the roughness.
+# size.
 
 # %%
 import matplotlib.pyplot as plt
@@ -25,9 +25,9 @@ steps = {
 punch = rc.solve(surface, modulus=70e9, pressure=pressures[0], boundary="free", stiffness=1).punch_stiffness
 
 # %%
-figure, axes = plt.subplots(1, 3, figsize=(12, 3.7), gridspec_kw={"width_ratios": (1, 1, 1.2)})
+figure, axes = plt.subplots(1, 3, figsize=(9.5, 3.4), gridspec_kw={"width_ratios": (1, 1, 1.2)})
 side = n * pitch * 1e6
-for ax, (boundary, found) in zip(axes, steps.items()):
+for ax, style, (boundary, found) in zip(axes, ("o-", "s--"), steps.items()):
     pressure = found.pressure[-1]
     image = ax.imshow(
         np.ma.masked_equal(pressure, 0) / 1e9, cmap="inferno", vmin=0, vmax=12, extent=(0, side, side, 0), interpolation="nearest"
@@ -36,11 +36,11 @@ for ax, (boundary, found) in zip(axes, steps.items()):
     ax.set(
         title=f"{boundary}: {np.mean(pressure > 0):.1%} touch,\napproach {found.approach[-1] * 1e6:.2f} µm", xlabel="x [µm]", ylabel="y [µm]"
     )
-    axes[2].loglog(pressures / 1e6, found.stiffness / 1e6, "o-", label=boundary)
-figure.colorbar(image, ax=axes[1], label="pressure [GPa]")
+    axes[2].loglog(pressures / 1e6, found.stiffness / 1e6, style, markersize=4, label=boundary)
+figure.colorbar(image, ax=axes[1], label="pressure [GPa]", fraction=0.046)
 free = steps["free"].stiffness
 axes[2].loglog(pressures / 1e6, 1 / (1 / free - 1 / punch) / 1e6, "k+", label="free, without the punch")
-axes[2].axhline(punch / 1e6, color="0.5", ls="--", label="flat square of this size")
+axes[2].axhline(punch / 1e6, color="0.5", ls=":", label="flat square of this size")
 axes[2].set(xlabel="mean pressure [MPa]", ylabel="stiffness dW/dd [MN/m]")
 axes[2].legend(fontsize="small")
 figure.tight_layout()

@@ -1,7 +1,7 @@
 # %% [markdown]
 # # Loading, unloading, loading again, with plasticity
 #
-# Three times a rough surface is loaded and let go, each time further. What has yielded stays indented: unloading is stiffer than
+# A rough surface is loaded and unloaded three times, each time further. Yielded points remain indented: unloading is stiffer than
 # loading, and up to the largest load so far loading follows the last unloading.
 
 # %%
@@ -38,6 +38,6 @@ image = right.imshow(
     np.ma.masked_equal(indentation, 0) * 1e9, cmap="viridis", extent=(0, side, side, 0), interpolation="nearest"
 )
 right.set_facecolor("0.25")
-right.set(xlabel="x [µm]", ylabel="y [µm]", title="what stays")
+right.set(xlabel="x [µm]", ylabel="y [µm]", title="remaining indentation")
 figure.colorbar(image, ax=right, label="indentation [nm]")
 figure.tight_layout()

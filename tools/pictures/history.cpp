@@ -144,7 +144,7 @@ Gnuplot draw_history(const Problem& problem, const std::vector<HistoryPoint>& st
   return run_gnuplot(
       quarters(format("%zu steps, E* %s, nominal area %s, %s boundary", steps.size(), with_prefix(system.modulus, "Pa").c_str(),
                       with_prefix(area, "m^2").c_str(), name_of_boundary(system.boundary).data())) +
-          blocks + "set key top left\n" + panel(0, "contact area", force, share, steps, others) +
+          blocks + "set key bottom right\n" + panel(0, "contact area", force, share, steps, others) + "set key top left\n" +
           panel(1, "load against approach", depth, force, steps) + "set key top right\n" +
           panel(2, "mean gap", force, opening, steps) + "set key bottom right\n" +
           panel(3, "stiffness dW/dd", force, rate, steps) + "unset multiplot\n",
