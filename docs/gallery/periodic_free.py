@@ -25,7 +25,7 @@ steps = {
 punch = rc.solve(surface, modulus=70e9, pressure=pressures[0], boundary="free", stiffness=1).punch_stiffness
 
 # %%
-figure, axes = plt.subplots(1, 3, figsize=(9.5, 3.4), gridspec_kw={"width_ratios": (1, 1, 1.2)})
+figure, axes = plt.subplots(1, 3, figsize=(9.5, 3.4), layout="constrained", gridspec_kw={"width_ratios": (1, 1, 1.1)})
 side = n * pitch * 1e6
 for ax, style, (boundary, found) in zip(axes, ("o-", "s--"), steps.items()):
     pressure = found.pressure[-1]
@@ -37,10 +37,9 @@ for ax, style, (boundary, found) in zip(axes, ("o-", "s--"), steps.items()):
         title=f"{boundary}: {np.mean(pressure > 0):.1%} touch,\napproach {found.approach[-1] * 1e6:.2f} µm", xlabel="x [µm]", ylabel="y [µm]"
     )
     axes[2].loglog(pressures / 1e6, found.stiffness / 1e6, style, markersize=4, label=boundary)
-figure.colorbar(image, ax=axes[1], label="pressure [GPa]", fraction=0.046)
+figure.colorbar(image, ax=axes[:2], label="pressure [GPa]", shrink=0.75)
 free = steps["free"].stiffness
 axes[2].loglog(pressures / 1e6, 1 / (1 / free - 1 / punch) / 1e6, "k+", label="free, without the punch")
 axes[2].axhline(punch / 1e6, color="0.5", ls=":", label="flat square of this size")
-axes[2].set(xlabel="mean pressure [MPa]", ylabel="stiffness dW/dd [MN/m]")
-axes[2].legend(fontsize="small")
-figure.tight_layout()
+axes[2].set(xlabel="mean pressure [MPa]", ylabel="stiffness dW/dd [MN/m]", ylim=(2, 5000))
+axes[2].legend(fontsize="small", loc="upper left")
