@@ -1,4 +1,4 @@
-// Where the numbers of a .npy file are, for those who read a part of them.
+// The place of the numbers in a .npy file, for readers of a part of them.
 #pragma once
 
 #include <bit>

@@ -18,7 +18,7 @@ enum class TextHeader::Role { channel, columns, rows, size, width, no_data, kind
 struct TextHeader::Key {
   std::string_view names;  // ASCII in lower case, between bars
   Role role = Role::other;
-  // Where a number goes, and its unit, or a text alone.
+  // The member for a number and its unit, or for a text.
   std::optional<double> TextHeader::*number = nullptr, TextHeader::*same_number = nullptr;
   std::string_view TextHeader::*text = nullptr, TextHeader::*same_text = nullptr;
 
@@ -84,7 +84,7 @@ std::pair<double, std::string_view> header_length(std::string_view key, std::str
   return {*value, trimmed(text.substr(gap))};
 }
 
-// Nothing for words, as in "columns: x, y, z".
+// Empty for words, as in "columns: x, y, z".
 std::optional<std::int64_t> header_count(std::string_view text) {
   const auto value = to_integer(text);
   return value && *value > 0 ? value : std::nullopt;

@@ -29,7 +29,7 @@ Grid halved(const Grid& fine, Filter filter) {
   return {coarse.nx, coarse.ny, std::move(coarse.gap)};
 }
 
-// Where a fine point lies between two coarse points: at this fraction of the way from `left` to `right`.
+// The position of a fine point between two coarse points: at this fraction of the way from `left` to `right`.
 struct Place {
   std::int64_t left, right;
   double fraction;

@@ -63,7 +63,7 @@ struct Answer {
   }
 };
 
-// Without operator and pressures. unit: 1 in dimensionless lengths [length].
+// The numbers of an answer without its operator and pressures. unit: 1 in dimensionless lengths [length].
 inline Answer answer_in(double unit, const Choice& choice, const System& system) {
   Answer answer;
   answer.choice = choice;

@@ -20,7 +20,7 @@ constexpr double primal_violation(double least_p, double largest_p, double hardn
   return larger_of(0.0, larger_of(negative, beyond));
 }
 
-// Where the gap is negative, pressures may still grow by this share of the hardness.
+// If the gap is negative, the pressure may still grow by this share of the hardness.
 constexpr double room_below(double hardness, double p, double gap) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   return gap < 0 && hardness < infinite ? larger_of(0.0, 1 - p / hardness) : infinite;

@@ -46,7 +46,7 @@ ConjugateGradientsEnd conjugate_gradients(std::span<double> x, std::span<double>
   }
 }
 
-// Without a preconditioner.
+// Conjugate gradients without a preconditioner.
 template <class Unit, class Sum, class Multiply, class Enough>
 ConjugateGradientsEnd conjugate_gradients(std::span<double> x, std::span<double> r, const Unit& unit, const Sum& sum,
                                           const Multiply& multiply, const Enough& enough) {

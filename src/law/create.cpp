@@ -120,7 +120,7 @@ class LawMaker {
     return approaches;
   }
 
-  // Where the tangents meet, as a share of the interval: there its bounds are widest.
+  // The point where the tangents meet, as a share of the interval: there its bounds are widest.
   static double meeting(const rc_law_node& node, const rc_law_node& next) {
     if (node.bounds != RC_LAW_CONVEX || !(next.slope > node.slope)) return 0.5;
     const double h = next.x - node.x;

@@ -14,8 +14,8 @@ using namespace rc_platform;
 
 constexpr std::string_view prefix = "rcb_";
 
-// Beside the shared library that holds this code, so that an installed tree can be moved; for a program that links the static
-// library, the configured installation.
+// The folder beside the shared library with this code, so that an installed tree can be moved; for a program that links the
+// static library, the configured installation.
 std::string installed_directory() {
   const std::string file = file_of(reinterpret_cast<void*>(&is_component_name));
   const std::size_t name = file.find_last_of("/\\") + 1;  // 0 if there is no directory

@@ -93,7 +93,7 @@ class Pivoting {
   void first_set() {
     const double* u = problem_.u();
     const bool cold = std::none_of(p_.begin(), p_.end(), [](double value) { return value > 0; });
-    // Where a solve costs many products, gradient steps save time even from a warm start.
+    // If a solve costs many products, gradient steps save time even from a warm start.
     if ((cold || !problem_.factors()) && problem_.size() > start_directly) {
       GradientSettings settings;
       settings.lipschitz = largest_eigenvalue(problem_);

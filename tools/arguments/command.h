@@ -10,7 +10,7 @@
 namespace cli {
 
 struct Option {
-  // Where the value goes: a text that is required, one that is not, texts of an option that may be repeated, or a flag.
+  // The variable for the value: a required text, an optional one, texts of an option that may be repeated, or a flag.
   using Target = std::variant<std::string*, std::optional<std::string>*, std::vector<std::string>*, bool*>;
 
   const char* name;  // without dashes: of an argument known by its place; "-o,--output": a short and a long one

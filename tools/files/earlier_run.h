@@ -32,7 +32,7 @@ struct EarlierRun {
   std::size_t own_steps() const { return std::max({targets.size(), steps.size(), removing}); }
 };
 
-// Nothing if the text is not of a summary.json of ours.
+// Empty if the text is not from our summary.json.
 std::optional<EarlierRun> read_earlier_run(const std::string& text);
 
 // Throws an Error unless a run with the summary `now` continues the earlier one: the same surface, system and options, and the

@@ -145,7 +145,7 @@ class Run {
     if (arguments_.out) write(step);
   }
 
-  // Where the pressure is the hardness, the overlap is plastic, and stays.
+  // At points with the hardness the overlap is plastic, and remains.
   void yield() {
     for (std::size_t i = 0; i < fields_.pressure.size(); ++i) {
       if (fields_.pressure[i] == row_.problem.system.hardness) fields_.indentation[i] += std::max(0.0, -fields_.gap[i]);

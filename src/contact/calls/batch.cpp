@@ -119,7 +119,7 @@ class Progress {
   }
   const char* why_stopped() const { return stop_ == RC_STOP_TIME ? out_of_time_.c_str() : caller_.load(); }
 
-  // So many more steps have outputs.
+  // Adds to the number of steps that have outputs.
   void add(std::int64_t steps) {
     const std::int64_t all = steps_.fetch_add(steps, std::memory_order_relaxed) + steps;
     if (tell_ && stopped() == RC_OK && tell_(all, user_) != 0) stop_by("rc_batch.progress ended the batch");

@@ -14,7 +14,7 @@ namespace rc {
 
 namespace {
 
-// None where the state has none, or nothing but zeros.
+// The plastic indentation in rc_state; empty if it is null or all zeros.
 Indentation indentation_of(const rc_state& state, const System& system) {
   if (!state.indentation) return {};
   const std::span<const double> depth(state.indentation, static_cast<std::size_t>(system.points()));

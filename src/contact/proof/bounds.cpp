@@ -91,7 +91,7 @@ class Proof {
   double u(std::size_t i) const { return (compression_ - height(i)) / length_; }
   double w(std::size_t i) const { return distance_to_surface(i) / length_; }
   double distance_to_surface(std::size_t i) const { return product_[i] - (compression_ - height(i)); }  // [length]
-  // Where H has no negative entries, p*_i > 0 needs u_i = (H p*)_i > 0. Points with u_i = 0 carry nothing either, but do at any
+  // If H has no negative entries, p*_i > 0 needs u_i = (H p*)_i > 0. Points with u_i = 0 carry nothing either, but do at any
   // larger approach: they are not counted as open.
   bool may_carry(std::size_t i) const { return included(i) && (!system_.positive || compression_ >= height(i)); }
 

@@ -82,7 +82,7 @@ Operator* proving(const GridProblem& problem, const Answer& answer, const std::v
   return &certifying(problem, problem.operators().bound(*choice.backend, trial));
 }
 
-// Where no entry of H and no pressure is negative, points whose gap is no smaller than the approach cannot overlap.
+// If no entry of H and no pressure is negative, points whose gap is at least the approach cannot overlap.
 bool only_unknowns_matter(const GridProblem& problem, const Answer& answer) {
   return answer.op && problem.system.positive && answer.status == RC_OK && answer.compression <= answer.limit &&
          std::all_of(answer.p.begin(), answer.p.end(), [](double p) { return p >= 0; });

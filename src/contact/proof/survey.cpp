@@ -66,7 +66,7 @@ Survey survey(const StepSurface& surface, double compression, const Deflected& a
       const double *const product = answer.product.data() + first, *const p = answer.p().data() + first;
       heights_of(answer.on(), surface, first, n_here, gap);
       for (std::size_t k = 0; k < n_here; ++k) gap[k] = product[k] - (compression - gap[k]);
-      // Without branches for each, which would be foreseen wrongly.
+      // No branch for each value: it would be predicted wrongly.
       const auto touches = [&](std::size_t k) { return (p[k] != 0) | !((gap[k] >= 0) & (gap[k] <= largest_double)); };
       for (std::size_t k = 0; k < n_here; ++k) flag[k] = touches(k) ? 1.0 : 0.0;
       std::uint64_t marked = 0;

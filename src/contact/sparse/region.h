@@ -10,7 +10,7 @@
 
 namespace rc {
 
-// Where the unknowns are: in tiles or at points, whose numbers are ascending.
+// The unknowns: in tiles or at points, whose numbers are ascending.
 class Region {
  public:
   Region(const GridProblem& problem, bool of_tiles) : surface_(problem.surface), of_tiles_(of_tiles) {}

@@ -132,7 +132,7 @@ Answer at_load(const GridProblem& problem, const Memory& memory, const Step& ste
     const bool direct = !handed_over && (answer.choice.solver->controls & RC_CONTROL_LOAD) != 0;
     answer.handed_over = handed_over;
     answer.limit = limit - lowest;
-    // Without load control of its own the datum is shifted by a multiple of the load, which is prescribed: the approach then
+    // If the solver has no load control, the datum is shifted by a multiple of the load, which is prescribed: the approach then
     // determines the load even in full contact.
     const double zero_mode = system.periodic() && !direct ? system.bounds.lambda_most : 0;
     trial.bind(zero_mode);

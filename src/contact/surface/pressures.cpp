@@ -67,7 +67,7 @@ Pressures Pressures::positive(const rc_team& team) const {
     constexpr std::int64_t at_once = 256;
     auto at = static_cast<std::int64_t>(first[static_cast<std::size_t>(begin / chunks.values)]);
     for (std::int64_t next = begin; next < begin + count; next += at_once) {
-      // Without a branch for each, which would be foreseen wrongly: one place more than there may be.
+      // No branch for each value, which would be predicted wrongly: the array has one place more than needed.
       std::int64_t index[at_once + 1];
       double value[at_once + 1];
       std::int64_t found = 0;

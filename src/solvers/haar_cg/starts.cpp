@@ -173,7 +173,7 @@ bool serves(const Problem& problem, const char* solver, std::span<const double> 
   const double load =
       reduce<double>(problem.size(), problem.team(), sum, 0, std::plus<>(), Chunks::of(problem.ranks(), problem.grid()->nx));
   const rc_grid& grid = *problem.grid();
-  // Where few points may touch, a coarse grid of all would cost more than the steps.
+  // If few points may touch, a coarse grid of all points would cost more than the steps.
   const bool sparse = grid.index && problem.size() < grid.nx * grid.ny / 8;
   if (!problem.load_control() || !solver || !nests(grid) || sparse) return load > 0;
   return load * farthest > problem.load() && load < problem.load() * farthest;

@@ -23,7 +23,7 @@ struct CoarseSolver {
 };
 
 // For pressures that do not serve: p and, by load, d from the solution on half the grid, where there is somebody to solve it.
-// Where that is impossible too, pressures that carry the load in load control; else none.
+// If that is also impossible: in load control pressures that carry the load, else none.
 void start_haar_cg(const Problem& problem, const CoarseSolver& solver, std::span<double> p, double& d);
 
 }  // namespace rc

@@ -157,7 +157,7 @@ template <Machine M, class Poll> class HaarIteration {
     interval_.begin(capped() && cut_any_ ? pace_.interval() / 2 : pace_.interval());
   }
 
-  // Where steps keep the load, what the cut added to it is scaled off, and the datum takes the trees' level.
+  // If steps keep the load, the load that the cut added is removed by scaling, and the trees' level is added to the datum.
   constexpr void add_cut() {
     if (keeps_load_) {
       const double factor = kept_load_ / m_.total(m_.p());
@@ -167,7 +167,7 @@ template <Machine M, class Poll> class HaarIteration {
       }
       datum_ += level_;
     }
-    // Where the residual will call for a product in double precision, that has the cut as well.
+    // If the residual will need a product in double precision, that product includes the cut.
     if (precision_.refresh_due() || (cut_any_ && precision_.blurred(last_ * fall_))) return refresh();
     if (cut_any_) {
       prepared_ = false;
@@ -314,7 +314,7 @@ template <Machine M, class Poll> class HaarIteration {
     mean_tried_ = true;
   }
 
-  // Where nearly all points touch, the load grows too fast with the datum to be found.
+  // If nearly all points touch, the load grows too fast with the datum to be found.
   constexpr void drop_mean() {
     mean_ = datum_ = 0;
     conjugate_ = false;

@@ -15,7 +15,7 @@ class ContactInverse {
   std::size_t size() const { return x_.size(); }
   std::size_t most() const { return most_; }
   bool has(std::int64_t point) const { return place_[static_cast<std::size_t>(point)] >= 0; }
-  // Where the set's vectors have this point of it.
+  // The position of this point in the set's vectors.
   std::size_t place(std::int64_t point) const { return static_cast<std::size_t>(place_[static_cast<std::size_t>(point)]); }
   std::int64_t point(std::size_t place) const { return y_[place] * nx_ + x_[place]; }
 

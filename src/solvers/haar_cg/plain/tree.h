@@ -61,7 +61,7 @@ class PlainTree {
         ny = around_y ? ny / 2 : (ny + level.shift_y + 1) / 2;
         hy *= 2;
       }
-      // Where the table is too short for larger blocks, couplings are taken to halve when cells double their sides.
+      // If the table is too short for larger blocks, couplings are assumed to halve when cells double their sides.
       const bool room =
           (!level.merge_x || table.mx >= least_blocks * wide) && (!level.merge_y || table.my >= least_blocks * high);
       if (room) {

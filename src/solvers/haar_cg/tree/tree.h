@@ -31,12 +31,12 @@ template <class Real> struct HaarFinestValues {
 class HaarTree {
  public:
   // `shifted`: the blocks of every second level begin one cell earlier, so that two trees cut the surface at different places.
-  // Where every cell of a period exists, the first of these blocks begins with the last cell.
+  // If every cell of a period exists, the first of these blocks begins with the last cell.
   // `finest`: factor of the differences inside the finest blocks.
   // `ranks`: null, or those that share the cells by rows; then every cell exists.
   HaarTree(const Cells& cells, const CouplingTable& table, bool shifted, float finest, const Ranks* ranks = nullptr);
 
-  // Where not every cell exists: rebuilds the tree over some of the unknowns only, in ascending order. Call place() first.
+  // If not every cell exists: rebuilds the tree over some of the unknowns only, in ascending order. Call place() first.
   void take(const Cells& cells, const std::vector<std::int32_t>& unknowns);
 
   // The tree's values and blocks live in the caller's memory, aligned for floats. After the memory has moved, or others have

@@ -20,7 +20,7 @@ struct CouplingTable {
   double softness = 0, mean = 0;
 };
 
-// Where the unknowns lie: all cells of a box, or some of them.
+// The cells of the unknowns: all cells of a box, or some of them.
 struct Cells {
   std::int64_t mx, my;
   std::vector<std::int32_t> x, y;  // of each unknown, rows in ascending order; empty: every cell

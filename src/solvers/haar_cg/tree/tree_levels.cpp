@@ -97,7 +97,7 @@ std::int64_t HaarTree::row_at(std::int64_t y) const {
   return (y < -l.before ? l.my - 1 : y + l.before) * l.mx;
 }
 
-// Where the children of eight blocks are: on the finest level among the unknowns, above it among the level's values.
+// Positions of the children of eight blocks: on the finest level among the unknowns, above it among the level's values.
 HaarTree::Places HaarTree::places(std::size_t level, std::int64_t row, std::int64_t group) const {
   const Level& l = levels_[level];
   Places at;
@@ -157,7 +157,7 @@ void HaarTree::clear_margins(std::size_t level, std::int64_t row) {
   if (row == l.rows - 1) std::fill(line + next.pitch, values + next.height * next.pitch, 0.0F);
 }
 
-// Where cells fill a period: moves the last cell of a row, as the level below writes it, before the first; and, of the row of
+// If cells fill a period: moves the last cell of a row, as the level below writes it, before the first; and, of the row of
 // values `line`, back.
 void HaarTree::to_front(std::size_t level, std::int64_t row) {
   const Level& l = levels_[level];

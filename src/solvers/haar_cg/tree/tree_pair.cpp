@@ -74,7 +74,7 @@ template <class Work> void HaarTreePair::on_finest(const rc_team& team, const Wo
   });
 }
 
-// Where not every cell exists: rebuilds the trees over the unknowns in contact alone.
+// If not every cell exists: rebuilds the trees over only the unknowns in contact.
 void HaarTreePair::take(const std::uint8_t* active, const rc_team& team) {
   const auto n = static_cast<std::size_t>(unknowns_);
   if (taken_.size() == n && std::memcmp(taken_.data(), active, n) == 0) return;

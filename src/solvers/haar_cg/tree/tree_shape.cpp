@@ -130,7 +130,7 @@ std::vector<HaarTreeLevel> haar_tree_levels(std::int64_t mx, std::int64_t my, co
     my = level.rows = static_cast<std::int64_t>(y.size());
     if (level.merge_x) hx *= 2;
     if (level.merge_y) hy *= 2;
-    // Where the table is too short for larger blocks, couplings are taken to halve when cells double their sides, which they do
+    // If the table is too short for larger blocks, couplings are assumed to halve when cells double their sides, which they do
     // where blocks are small against a period.
     const bool room_x = !level.merge_x || kx >= 8, room_y = !level.merge_y || ky >= 8;
     if (room_x && room_y) {
