@@ -38,7 +38,7 @@ class NetcdfFile {
 // All values of a number type as doubles; an Error that names `what` for others.
 std::vector<double> netcdf_numbers(std::uint32_t type, std::string_view values, std::string_view what);
 
-// Text or the first number of an attribute; nothing where the variable does not have it (or is null).
+// Text or the first number of an attribute; nothing if the variable does not have it (or is null).
 std::string_view netcdf_text(const NetcdfFile::Variable* variable, std::string_view attribute);
 std::optional<double> netcdf_number(const NetcdfFile::Variable* variable, std::string_view attribute);
 

@@ -12,9 +12,9 @@ namespace rc::formats {
 
 struct Surface {
   std::int64_t nx = 0, ny = 0;
-  std::optional<double> hx, hy;  // pitch along x and y; nothing where the file does not say
+  std::optional<double> hx, hy;  // pitch along x and y; nothing if the file does not say
   std::vector<double> heights;   // NaN: missing
-  std::optional<bool> periodic;  // whether the surface repeats; nothing where the file does not say
+  std::optional<bool> periodic;  // whether the surface repeats; nothing if the file does not say
   bool names_unit = true;        // whether the file names the units of all its lengths
   std::string format;            // name of the format that was read
   std::string note;              // what the user should know about the file; "" if nothing

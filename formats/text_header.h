@@ -36,7 +36,7 @@ struct TextHeader {
   // Whether anything shows that the rows are a matrix.
   bool of_matrix() const;
 
-  // Sets pitch and unit, scales the heights. unit: metres per unit of lengths without one. Throws where the header states another
+  // Sets pitch and unit, scales the heights. unit: metres per unit of lengths without one. Throws if the header states another
   // number of rows or columns.
   void apply(double unit, Surface& surface) const;
 

@@ -34,7 +34,7 @@ std::string_view local_name(const xml_node& node) {
   return colon == std::string_view::npos ? name : name.substr(colon + 1);
 }
 
-// The element below, by names without their namespace, "Record1/Axes/CX"; empty where there is none.
+// The element below, by names without their namespace, "Record1/Axes/CX"; empty if there is none.
 xml_node below(xml_node node, std::string_view path) {
   for (const auto name : split(path, '/')) {
     node = node.find_child([&](const xml_node& child) { return local_name(child) == name; });

@@ -13,12 +13,12 @@ namespace rc::formats {
 
 class ZipArchive {
  public:
-  // The bytes must outlive the archive. Throws where they are no zip archive.
+  // The bytes must outlive the archive. Throws if they are no zip archive.
   explicit ZipArchive(std::string_view bytes);
 
   const std::vector<std::string>& names() const { return names_; }
 
-  // The contents of the entry of that number, with the checksum checked. Throws where they are longer than `most` bytes.
+  // The contents of the entry of that number, with the checksum checked. Throws if they are longer than `most` bytes.
   std::string contents(std::size_t entry, std::uint64_t most) const;
 
  private:

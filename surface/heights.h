@@ -25,7 +25,7 @@ Heights read_heights(const rc_surface_map* map);
 double variance(const std::vector<double>& values);
 double mean_square(const std::vector<double>& values);
 
-// The third or fourth moment over a power of the rms; NaN where all values are 0.
+// The third or fourth moment over a power of the rms; NaN if all values are 0.
 double standard_moment(const std::vector<double>& values, int order);
 
 }  // namespace rc::surface

@@ -34,7 +34,7 @@ inline void check_at_least_zero(const char* name, double value) {
   if (!(value >= 0) || !std::isfinite(value)) fail(RC_ERR_ARGUMENT, name, " = ", value, " must be finite and at least 0");
 }
 
-// The same for a value that is 0 where it is not wanted.
+// The same for a value that is 0 if it is not wanted.
 inline void check_magnitude_or_zero(const char* name, double value) {
   check_at_least_zero(name, value);
   if (value > 0) check_magnitude(name, value);

@@ -74,7 +74,7 @@ class Runs {
     }
   }
 
-  // Joins the last run of row a to the first of row b, where both reach the side of the grid. a_row may be b_row.
+  // Joins the last run of row a to the first of row b, if both reach the side of the grid. a_row may be b_row.
   void join_sides(Index a_row, Index b_row, Sets& sets) const {
     if (begin(a_row) == end(a_row) || begin(b_row) == end(b_row)) return;
     if (runs_[end(a_row) - 1].end == nx_ && runs_[begin(b_row)].begin == 0) sets.join(end(a_row) - 1, begin(b_row));

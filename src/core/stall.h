@@ -22,7 +22,7 @@ class Stall {
     return stall;
   }
 
-  // True where more than `patience` values in a row have made no progress.
+  // True if more than `patience` values in a row have made no progress.
   bool operator()(double value) {
     ++idle_;
     const bool progress = value < share_ * mark_;

@@ -20,7 +20,7 @@ enum class Filter {
 struct CoarseGrid {
   std::int64_t nx, ny;             // half of the fine grid's, rounded up
   std::vector<double> gap;         // infinite where the mask is 0
-  std::vector<std::uint8_t> mask;  // empty if the fine grid had none; 0 where every point of the block is masked
+  std::vector<std::uint8_t> mask;  // empty if the fine grid had none; 0 if every point of the block is masked
 };
 
 // Halves a grid of nx * ny gaps, point (ix, iy) at iy*nx + ix. Coarse point (ix, iy) stands for the fine points 2*ix, 2*ix + 1 by

@@ -33,7 +33,7 @@ class LawPatch {
   LawSample at_load(double load) { return solve(RC_CONTROL_LOAD, load); }
   LawSample at_approach(double approach) { return solve(RC_CONTROL_APPROACH, approach); }
 
-  // Slopes of the law between which those of all sets are that hold `least` and lie in `most`; nothing where none are proven.
+  // Slopes of the law between which those of all sets are that hold `least` and lie in `most`; nothing if none are proven.
   struct Slopes {
     double lower, upper;
   };

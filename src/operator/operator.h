@@ -48,7 +48,7 @@ class Operator {
   void bind(const TrialSet& trial);
   const TrialSet& trial() const { return trial_; }
 
-  // Becomes as new, but keeps the count of products. False where the backend cannot do that: then make a new operator.
+  // Becomes as new, but keeps the count of products. False if the backend cannot do that: then make a new operator.
   bool forget();
   // No product follows soon.
   void rest() {

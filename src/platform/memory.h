@@ -5,7 +5,7 @@
 
 namespace rc_platform {
 
-// Bytes of the machine's memory that a process can address; infinity where the system does not say.
+// Bytes of the machine's memory that a process can address; infinity if the system does not say.
 double machine_bytes();
 
 // Advises large pages for these bytes, but for the parts of small pages at their ends. The system may take no notice.

@@ -14,7 +14,7 @@ struct GradientSettings {
   double lipschitz = 0;  // L
   bool restart = true;
   std::int64_t steps = std::numeric_limits<std::int64_t>::max();
-  bool polls = true;  // false where the steps are part of another solver's iteration
+  bool polls = true;  // false if the steps are part of another solver's iteration
 };
 
 // 0 <= p <= cap at every exit. Returns RC_STOP_STALLED if the residual stops falling, or after all steps.

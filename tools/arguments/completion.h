@@ -8,7 +8,7 @@
 
 namespace cli {
 
-// Prints, one a line, what the last of the words may become; nothing where it is a file, a number, or anything goes. The words
+// Prints, one a line, what the last of the words may become; nothing if it is a file, a number, or anything goes. The words
 // are those after the command's name. "=" may be a word of its own, as in bash.
 void complete(const Command& command, std::vector<std::string> words);
 

@@ -14,7 +14,7 @@ namespace {
 
 struct Reading {
   double number;
-  std::string_view unit;  // "" where the text has none
+  std::string_view unit;  // "" if the text has none
 };
 
 Reading take_apart(std::string_view option, std::string_view text) {

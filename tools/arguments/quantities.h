@@ -30,7 +30,7 @@ Quantity read_positive(std::string_view option, std::string_view text, Dimension
 std::vector<Quantity> read_quantities(std::string_view option, const std::vector<std::string_view>& texts, Dimension dimension,
                                       double unit = 1);
 
-// Metres per --unit, 1 where it was not given.
+// Metres per --unit, 1 if it was not given.
 double length_unit(const std::optional<std::string>& name);
 
 struct Pitch {

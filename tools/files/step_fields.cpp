@@ -103,7 +103,7 @@ namespace {
 std::string cell(const JsonValue& value) {
   if (!std::holds_alternative<std::string>(value)) {
     const std::string number = dumped(value);
-    return number == "null" ? "" : number;  // also where it is not finite
+    return number == "null" ? "" : number;  // also if it is not finite
   }
   const auto& text = std::get<std::string>(value);
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;

@@ -35,7 +35,7 @@ class StepFiles {
   std::vector<double> indentation() const;
 
   void write(const StepRecord& step, const Fields& fields);
-  // Draws all steps so far, where there are two or more.
+  // Draws all steps so far, if there are two or more.
   void write_history();
 
  private:

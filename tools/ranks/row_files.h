@@ -17,7 +17,7 @@ struct Rows {
   std::int64_t first = 0, count = 0;
 };
 
-// The layout of a file of heights, the same on every rank, read once. Throws where it is no array of float32 or float64 in C
+// The layout of a file of heights, the same on every rank, read once. Throws if it is no array of float32 or float64 in C
 // order, or where the file is not as long as its grid.
 rc::formats::NpyLayout read_layout(const Communicator& ranks, const std::string& file);
 

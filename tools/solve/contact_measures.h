@@ -10,7 +10,7 @@ namespace cli {
 
 struct Problem;
 
-// Pressures and deformed gaps of a step and, where there is a hardness, the plastic indentation after it.
+// Pressures and deformed gaps of a step and, if there is a hardness, the plastic indentation after it.
 struct Fields {
   Fields(std::size_t points, bool yields) : pressure(points), gap(points), indentation(yields ? points : 0) {}
   std::vector<double> pressure, gap, indentation;

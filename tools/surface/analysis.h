@@ -20,7 +20,7 @@ struct Analysis {
   bool periodic;
   rc_surface_statistics statistics;
   rc_surface_power_law law;
-  std::optional<rc_surface_cmr> cmr;  // none where the grid is too small for a coarser one
+  std::optional<rc_surface_cmr> cmr;  // none if the grid is too small for a coarser one
   Rings rings;
 };
 

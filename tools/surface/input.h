@@ -27,7 +27,7 @@ struct SurfaceInput {
   std::string removed;             // "none", "mean", "plane" or "quadric"
   std::int64_t missing = 0;        // points
   std::string missing_rule;        // what was done with them: "reject" (there are none), "fill" or "exclude"
-  std::vector<std::uint8_t> mask;  // 0: excluded; empty where no point is
+  std::vector<std::uint8_t> mask;  // 0: excluded; empty if no point is
   std::vector<std::string> notes;  // what the user should know about the choices made
 
   // ", against other.gsf, plane removed, 12 missing points filled": what was done to the heights, for a line of text; "" if

@@ -17,7 +17,7 @@ struct BatchOutcome {
   std::string message;
 };
 
-// Writes the outputs of every contact. Throws Error where the batch itself is refused; nothing is written then.
+// Writes the outputs of every contact. Throws Error if the batch itself is refused; nothing is written then.
 BatchOutcome solve_batch(const rc_system& system, const rc_options& options, const rc_batch& batch);
 
 }  // namespace rc

@@ -13,7 +13,7 @@ namespace rc {
 
 class GridProblem;
 
-// Copies of one step's arrays; null where there are none.
+// Copies of one step's arrays; null if there are none.
 struct HostCopies {
   std::unique_ptr<std::byte[]> gap, mask, p0, p, deformed;
 };
@@ -24,7 +24,7 @@ using HeldCopies = std::vector<std::unique_ptr<HostCopies>>;
 // A step and its outputs with all arrays on the host, for the time of one call.
 class OnHost {
  public:
-  // judged: the pressures are given. held and the problem must outlive it. Throws Error where there is no such device,
+  // judged: the pressures are given. held and the problem must outlive it. Throws Error if there is no such device,
   // or it fails.
   OnHost(GridProblem& problem, HeldCopies& held, const rc_step& given, const Outputs& outputs, bool judged);
   ~OnHost() { leave(); }

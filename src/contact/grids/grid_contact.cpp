@@ -31,7 +31,7 @@ StepSurface surface_with(const Indentation& indentation, std::span<const std::ui
                      problem.company());
 }
 
-// The surface that this step describes; nothing where it keeps that of the step before.
+// The surface that this step describes; nothing if it keeps that of the step before.
 std::optional<IndentedSurface> given_surface(const rc_step& step, const GridProblem& problem, const Indentation& indentation) {
   const auto n = static_cast<std::size_t>(problem.own_points());
   const bool given_anew = step.undeformed_gap.data != nullptr;

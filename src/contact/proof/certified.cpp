@@ -328,7 +328,7 @@ Finished certified_result(const GridProblem& problem, const Step& step, Answer&&
                           const Outputs& outputs) {
   Stiffness rate = wanted_stiffness(problem, answer);
   Deflected found = deflected(problem, answer, outputs.gap.wanted());
-  // After a stop the approach is made to fit the pressures, but not where points were screened: that holds for one approach.
+  // After a stop the approach is made to fit the pressures, but not if points were screened: that holds for one approach.
   const bool by_load = step.target.by_load(), stopped = by_load && answer.status != RC_OK && !answer.checked;
   const double without = by_load ? 0 : step.target.compression(problem.surface);
   const double depth = !answer.op ? without : stopped ? fitting_compression(problem, found) : answer.compression;

@@ -30,7 +30,7 @@ Finished certify_given(const GridProblem& problem, const Step& step, Attempt& at
 // The parts of certified_result, for answers that are finished in another way.
 
 // H p by the certifying operator: over all points if `everywhere`, else at least over those that the certificate needs. Takes
-// the pressures out of the answer, but where the operator has screened all points.
+// the pressures out of the answer, unless the operator has screened all points.
 Deflected deflected(const GridProblem& problem, Answer& answer, bool everywhere);
 // The same for pressures p at all points of the process [force/length^2] that vanish off this trial set. by: out, the components
 // and the operator.

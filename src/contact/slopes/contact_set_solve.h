@@ -37,14 +37,14 @@ class ContactSetSolve {
   ContactSetSolve(Operator& op, std::span<const std::int64_t> set, const rc_grid& grid, double lowest, const rc_team& team,
                   const Coefficients& coefficients, const Company& company = {});
 
-  // 0 but where the grid is periodic: a periodic operator may lack a mean, and hardly resists one where nearly all points touch.
+  // 0 unless the grid is periodic: a periodic operator may lack a mean, and hardly resists one where nearly all points touch.
   double mean() const { return mean_; }
   // No eigenvalue of A is smaller.
   double lowest() const { return lowest_; }
 
   // For as many right-hand sides as there are bounds, one after the other in b: until |b - A x| <= tol |b|. x: starts in, zeros
-  // where none is known; answers out. RC_STOP_STALLED where round-off may keep a residual larger, or a status with which a
-  // product ended. Throws where H is not positive definite (NUMERIC).
+  // where none is known; answers out. RC_STOP_STALLED if round-off may keep a residual larger, or a status with which a
+  // product ended. Throws if H is not positive definite (NUMERIC).
   rc_status operator()(std::span<const double> b, double tol, std::span<double> x, std::span<ContactSetBound> bounds);
   // Until form / (1 - mean form) is known to tol: the form is exact to twice the digits of x. x: a multiple of it is the start.
   rc_status form(std::span<const double> b, double tol, double mean, std::span<double> x, ContactSetBound& bound);

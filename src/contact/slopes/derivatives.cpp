@@ -230,7 +230,7 @@ rc_status differentiate(const GridProblem& problem, const Memory& memory, const 
   const auto by_gap = [&](std::size_t i) { return request.dJ_dgap && step.included(i) ? request.dJ_dgap[i] : 0; };
   direct -= sum_of(all, by_gap);
 
-  // b = (dJ/dp + H dJ/dg)_C / unit. It is a multiple of 1 where J depends on load and approach alone.
+  // b = (dJ/dp + H dJ/dg)_C / unit. It is a multiple of 1 if J depends on load and approach alone.
   Field product(set.loaded().p.size()), b(set.n());
   if (request.dJ_dgap && !product.empty())
     if (const rc_status status = step.multiplied(request.dJ_dgap, product); status != RC_OK) return status;

@@ -20,17 +20,17 @@ class SubsetSolve {
 
   // A zero mode of the trial set counts, and what ContactSetSolve adds.
   double mean() const { return mean_; }
-  // No eigenvalue of A is smaller; 0 where no bound is known.
+  // No eigenvalue of A is smaller; 0 if no bound is known.
   double lowest() const { return lowest_; }
   // Whether `tol` decides how exact an answer is: else factors do, or a fixed residual.
   bool iterates() const { return preconditioned_.has_value(); }
 
-  // Until |b - A x| <= tol |b|. x: a start in, the answer out. Throws what fails; RC_STOP_STALLED where round-off may keep a
+  // Until |b - A x| <= tol |b|. x: a start in, the answer out. Throws what fails; RC_STOP_STALLED if round-off may keep a
   // larger residual.
   rc_status operator()(std::span<const double> b, double tol, std::span<double> x, ContactSetBound& bound);
   // bound.form: 2 b'x - x'Ax, close to s = b'A^-1 b. Until s / (1 - mean() s) is known to tol.
   rc_status form(std::span<const double> b, double tol, std::span<double> x, ContactSetBound& bound);
-  // The bound of an answer that came without one: NaN where lowest() is 0. Where the solve does not iterate, one product.
+  // The bound of an answer that came without one: NaN if lowest() is 0. Where the solve does not iterate, one product.
   rc_status prove(std::span<const double> b, std::span<const double> x, ContactSetBound& bound);
 
  private:

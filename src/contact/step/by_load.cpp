@@ -38,7 +38,7 @@ double approach_estimate(double load, bool warm, const GridProblem& problem, con
 }
 
 // Newton's method on the load, which is a continuous, increasing, piecewise linear function of the approach; its slope is that of
-// the points at hand whose pressure is free. Steps outside the bracket are replaced by bisection and, where a cap keeps the load
+// the points at hand whose pressure is free. Steps outside the bracket are replaced by bisection and, if a cap keeps the load
 // from being convex, those after one that left more than half of the missing load, too. All in dimensionless units; the
 // operator's zero mode adds `shift` to the approach, which is taken out of the answer.
 rc_status balance_load(Answer& answer, double load, double shift, double first, const GridProblem& problem, Attempt& attempt) {

@@ -35,7 +35,7 @@ struct BoundProblem : rc_problem {
 
 namespace {
 
-// Throws where this solver cannot run inside this run.
+// Throws if this solver cannot run inside this run.
 void require(const rc_solver& solver, const SolverRun& run, const char* as) {
   if ((solver.needs & RC_NEEDS_GRID) && run.grid.nx == 0)
     fail(RC_ERR_INCOMPATIBLE, as, ": solver \"", solver.name, "\" needs a half-space grid");

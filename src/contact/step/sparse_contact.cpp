@@ -38,7 +38,7 @@ std::int64_t count_positive(const std::vector<double>& values) {
   return std::count_if(values.begin(), values.end(), [](double value) { return value > 0; });
 }
 
-// Every point that the approach can reach, where these lie in a small part of the grid; else nothing.
+// Every point that the approach can reach, if these lie in a small part of the grid; else nothing.
 TrialSet reachable(const GridProblem& problem, const Estimate& estimate, double limit) {
   if (!problem.system.positive) return {};
   const std::int64_t box = extent_below(limit, problem.surface).box();
@@ -164,7 +164,7 @@ int halvings_of(std::int64_t points) {
   return halvings;
 }
 
-// The estimate from a coarser grid, which has its own from a still coarser one. dense: wanted even where contact is not sparse.
+// The estimate from a coarser grid, which has its own from a still coarser one. dense: wanted even if contact is not sparse.
 std::optional<Estimate> coarse_estimate(const GridProblem& problem, const Target& target, const Monitor& monitor, bool dense) {
   const rc_system& system = problem.system.given;
   if (std::min(system.nx, system.ny) < 2 * least_sparse_side) return std::nullopt;

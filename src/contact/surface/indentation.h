@@ -20,7 +20,7 @@ class Indentation {
         gap_(gap.visit([&](const auto* values) { return std::vector<double>(values, values + gap.size()); })) {}
 
   bool none() const { return depth_.empty(); }
-  // The given gap, without any indentation; empty where there is none.
+  // The given gap, without any indentation; empty if there is none.
   std::span<const double> given_gap() const { return gap_; }
 
   // The indentation after one more step with this overlap. gap: the undeformed gap without any indentation.

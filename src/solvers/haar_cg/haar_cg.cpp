@@ -34,7 +34,7 @@ const rc_option_spec* const haar_specs[] = {&products, &nested, &patience_option
 
 constexpr std::int64_t few_overlaps = 16;  // points without a gap at the approach: then all products are in double precision
 
-// Whether products in single precision save anything: not where few points overlap, which a step or two solve to all digits.
+// Whether products in single precision save anything: not if few points overlap, which a step or two solve to all digits.
 bool worth_mixing(const Problem& problem) {
   if (!problem.has_float() || problem.option_text(products.key) != mixed_products) return false;
   if (problem.load_control()) return true;

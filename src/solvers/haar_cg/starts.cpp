@@ -19,7 +19,7 @@ constexpr double farthest = 1.25;      // ratio of two loads: beyond, coarser gr
 constexpr std::size_t few_loaded = 4;  // points that carry a load each by itself: then the others start without pressure
 constexpr std::int64_t remembered = 256 * 256;  // most points of a coarse grid that is kept for later steps as it is
 
-// Whether any chunk's most(begin, count) is positive; of all ranks, where the problem is shared.
+// Whether any chunk's most(begin, count) is positive; of all ranks, if the problem is shared.
 template <class Most> bool some_positive(const Problem& problem, const Most& most) {
   const auto positive = [&](std::int64_t begin, std::int64_t count) { return most(begin, count) > 0; };
   return reduce<char>(problem.size(), problem.team(), positive, 0, std::logical_or<>(),
@@ -97,7 +97,7 @@ bool start_nested(const Problem& problem, const CoarseSolver& solver, std::span<
   return positive;
 }
 
-// Pressures that carry the load on few points, each as if it were alone: then others hardly matter. False where that takes more.
+// Pressures that carry the load on few points, each as if it were alone: then others hardly matter. False if that takes more.
 bool start_few(const Problem& problem, std::span<double> p) {
   Vector alone;
   problem.coefficients(1, 1, alone);

@@ -136,7 +136,7 @@ template <Machine M, class Poll> class HaarIteration {
     }
   }
 
-  // Along a conjugate direction; pressures may become negative until the next bound. False where the product is not finite.
+  // Along a conjugate direction; pressures may become negative until the next bound. False if the product is not finite.
   constexpr bool step() {
     const double zq = precondition(m_.w(), conjugate_ ? m_.q() : Vector(nullptr));
     const double beta = conjugate_ && curvature_ > 0 ? larger_of(0.0, -zq / curvature_) : 0;

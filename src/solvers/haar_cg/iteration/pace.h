@@ -10,7 +10,7 @@ class HaarPace {
  public:
   static constexpr int first_interval = 2, longest_interval = 16;
   static constexpr double first_admission = 0.1, strictest_admission = 0.9, admission_step = 0.2;
-  static constexpr double capped_admission = 0.3;  // at least, where points are at the cap
+  static constexpr double capped_admission = 0.3;  // at least, if points are at the cap
 
   constexpr int interval() const { return interval_; }  // steps between two bounds
   // A point at an end of its pressures enters the free set where it violates its condition by more than this share of the
@@ -33,7 +33,7 @@ class HaarPace {
     admission_ = larger_of(first_admission, admission_ - admission_step);
   }
   // After a bound where points are at the cap. A point that leaves one end drives its neighbours to the other, so fewer may leave
-  // their ends at once where that makes things worse.
+  // their ends at once if that makes things worse.
   constexpr void adapt(bool rose) {
     admission_ = within(admission_ + (rose ? capped_rise : -capped_relief), first_admission, strictest_admission);
   }

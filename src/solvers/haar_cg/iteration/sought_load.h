@@ -1,4 +1,4 @@
-// The search for the load at a prescribed approach, where steps keep the load: the datum that a load has beyond the approach
+// The search for the load at a prescribed approach, if steps keep the load: the datum that a load has beyond the approach
 // grows with it and must vanish.
 #pragma once
 

@@ -24,10 +24,10 @@ class ContactInverse {
   // to += p times the column of H of that point, at every point of the grid.
   void add_column(std::int64_t point, double p, std::vector<double>& to) const;
 
-  // False, and the inverse is of no more use, where there is no memory for one more or rounding has spoilt the inverse.
+  // False, and the inverse is of no more use, if there is no memory for one more or rounding has spoilt the inverse.
   bool add(std::int64_t point);
   void remove(std::int64_t point);
-  // x = H^-1 b and, where it is given, y = H^-1 c; all have room for padded() values.
+  // x = H^-1 b and, if it is given, y = H^-1 c; all have room for padded() values.
   void multiply(const std::vector<float>& b, std::vector<float>& x, const std::vector<float>* c = nullptr,
                 std::vector<float>* y = nullptr) const;
   std::size_t padded() const { return stride_; }

@@ -134,7 +134,7 @@ bool NearSteps::know_product(std::span<const double> p, std::vector<double>& pro
   return true;
 }
 
-// False where there are too many points, or no memory and the step may go on without.
+// False if there are too many points, or no memory and the step may go on without.
 bool NearSteps::make_inverse(std::span<const double> p) {
   try {
     return inverse_made(p);
@@ -243,7 +243,7 @@ bool NearSteps::solve(std::span<double> p, double& d) {
     correct(state, p);
     if (round > 0) before = state.residual;
   }
-  d = given;  // there is none where no pressure is left
+  d = given;  // there is none if no pressure is left
   kept_.near = 0;
   kept_.inverse.reset();
   product_ = {};

@@ -1,7 +1,7 @@
 // One multilevel tree over every cell of a grid, in double precision. Read it before tree.h, which computes the same with vector
 // instructions. Tests alone use it.
 //
-// On each level the cells are joined to blocks of 2 x 2, or 2 x 1 where cells are elongated. A holds the couplings of a block's
+// On each level the cells are joined to blocks of 2 x 2, or 2 x 1 if cells are elongated. A holds the couplings of a block's
 // children: the deflection of one under a unit load spread over another. With s = 1'A^-1 1, the shares w = A^-1 1 / s divide a
 // unit load on the block among its children with the least energy, 1/2s. So 1/s is the block's coupling with itself as a child
 // of the next level. The rest of the inverse, A^-1 - s w w', acts on differences between the children. Half of it is kept,

@@ -64,7 +64,7 @@ ThreadMachine<Real, Pressure>::ThreadMachine(const Problem& problem, Pressure* p
   trees_.place(reinterpret_cast<std::byte*>(y()));
 }
 
-// visit(first, count, u) for pieces of the unknowns that are short enough to compute u on the stack, where the problem has none:
+// visit(first, count, u) for pieces of the unknowns that are short enough to compute u on the stack, if the problem has none:
 // in the runs that are wanted.
 template <class Real, class Pressure>
 template <class Wanted, class Visit>

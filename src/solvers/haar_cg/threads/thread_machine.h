@@ -18,7 +18,7 @@
 
 namespace rc {
 
-// Pressure: the precision of the pressures and of the residual's products, double but where the tolerance asks for less.
+// Pressure: the precision of the pressures and of the residual's products, double unless the tolerance asks for less.
 template <class R, class Pressure = double> class ThreadMachine {
  public:
   using Real = R;

@@ -13,7 +13,7 @@ constexpr std::int64_t groups_per_part = 64;  // where not every cell exists
 
 }  // namespace
 
-// The values at the places, 0 where there is none; 1 for each place without `from`.
+// The values at the places, 0 if there is none; 1 for each place without `from`.
 template <class Value>
 void HaarTree::Places::gather_row(const Value* from, const std::int64_t* place, std::int64_t around, Value* to) const {
   if (end == 0) {

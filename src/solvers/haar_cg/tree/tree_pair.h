@@ -61,7 +61,7 @@ class HaarTreePair {
   std::vector<float> given_, joined_;
   Cells cells_;
   std::int64_t unknowns_;
-  std::vector<double> row_;          // room for a row of the finest vectors; none where not every cell exists
+  std::vector<double> row_;          // room for a row of the finest vectors; none if not every cell exists
   std::vector<std::uint8_t> taken_;  // where not every cell exists: the free set that the trees were built for
 };
 
