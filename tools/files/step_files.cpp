@@ -28,6 +28,10 @@ HistoryPoint history_point(const EarlierStep& step) {
           number("/mean_gap"), number("/stiffness")};
 }
 
+void tell(const std::string& fault) {
+  if (!fault.empty()) report(fault);
+}
+
 std::string checksum_of(const Problem& problem) {
   Checksum sum;
   sum.add(problem.input.surface.heights);
@@ -78,10 +82,10 @@ void StepFiles::write_maps(const StepRecord& step, const Fields& fields, const s
     });
   };
   // The picture is drawn while the arrays are written.
-  std::future<void> drawn;
+  std::future<std::string> drawn;
   if (can_draw_)
     drawn = std::async(std::launch::async, [&] {
-      draw(name("contact", "png"), [&](std::FILE* file) {
+      return draw(name("contact", "png"), [&](std::FILE* file) {
         return draw_picture({problem_.input.surface, fields.pressure, step, problem_.targets.size()}, file);
       });
     });
@@ -94,7 +98,7 @@ void StepFiles::write_maps(const StepRecord& step, const Fields& fields, const s
       return true;
     });
   }
-  if (drawn.valid()) drawn.get();
+  if (drawn.valid()) tell(drawn.get());
 }
 
 void StepFiles::write(const StepRecord& step, const Fields& fields) {
@@ -108,20 +112,23 @@ void StepFiles::write(const StepRecord& step, const Fields& fields) {
 
 void StepFiles::write_history() {
   if (history_.size() < 2 || !can_draw_) return;
-  draw(history_name, [this](std::FILE* file) { return draw_history(problem_, history_, file); });
+  tell(draw(history_name, [this](std::FILE* file) { return draw_history(problem_, history_, file); }));
 }
 
-void StepFiles::draw(const std::string& name, const std::function<Gnuplot(std::FILE*)>& picture) {
+// Returns what is to be reported of a picture that could not be drawn.
+std::string StepFiles::draw(const std::string& name, const std::function<Gnuplot(std::FILE*)>& picture) {
+  std::string fault;
   run_.files().write(name, [&](std::FILE* file) {
     const Gnuplot outcome = picture(file);
     can_draw_ = !outcome.missing;
     if (outcome.missing) {
-      if (name != history_name) report("gnuplot not found: contact-K.png not drawn");  // else told before
+      if (name != history_name) fault = "gnuplot not found: contact-K.png not drawn";  // else told before
     } else if (!outcome.drawn) {
-      report(name + " not drawn, gnuplot failed: " + outcome.message);
+      fault = name + " not drawn, gnuplot failed: " + outcome.message;
     }
     return outcome.drawn;
   });
+  return fault;
 }
 
 }  // namespace cli

@@ -41,7 +41,7 @@ class StepFiles {
  private:
   std::vector<double> values(const char* stem, std::size_t number) const;
   void write_maps(const StepRecord& step, const Fields& fields, const std::vector<JsonEntry>& values);
-  void draw(const std::string& name, const std::function<Gnuplot(std::FILE*)>& picture);
+  std::string draw(const std::string& name, const std::function<Gnuplot(std::FILE*)>& picture);
 
   RunFolder run_;
   const Problem& problem_;
