@@ -92,7 +92,7 @@ class Claims:
             mine, cg = (self.rows('figure_5', n=n, inner=inner) for inner in (name, 'cg'))
             mine = [{**r, 'cpu_seconds': r['cpu_seconds'] - (0 if storing else r['storing_seconds'])} for r in mine]
             parts += [f'n = {n}: {figure(median(values))}' for values in [ratios(mine, cg)] if values]
-        return f'time over that of conjugate gradients: {some(parts, ", ")}' + ('' if storing else ', the time to store the matrix not counted')
+        return f'time divided by that of conjugate gradients: {some(parts, ", ")}' + ('' if storing else ', the time to store the matrix not counted')
 
     def projections(self):
         found = self.rows('figure_6', pivoting='single')
@@ -150,7 +150,7 @@ CLAIMS = (
     ('when greedy works is an open question', '`ctest -R failures.greedy`',
      lambda _: 'answered: for every surface if and only if H^-1 has no positive entry off its diagonal, see [failures](failures.md#greedy-elimination)'),
     ('NNLS with 100 projections is 26 times faster than conjugate gradients', 'figure 4', Claims.speed, 'P&K 1999', 26),
-    ('where a factor like that may come from', 'figure 4', Claims.cause),
+    ('possible origin of such a factor', 'figure 4', Claims.cause),
     ('NNLS with 100 projections is two orders of magnitude faster than greedy CG', 'figure 4', Claims.speed, 'greedy CG', 100),
     ('and than ADMM', 'figure 4', Claims.speed, 'ADMM, warm', 100), ('the loading history helps NNLS', 'figure 4', Claims.warm, 'NNLS'),
     ('and conjugate gradients', 'figure 4', Claims.warm, 'P&K 1999'),
@@ -252,7 +252,7 @@ def figure_4_tables(found):
         return table(titles, lines)
 
     return (f'{"; ".join(steps)}.\n\nCPU time of the history [s]:\n\n{by_method(lambda mine, _: intervals(mine, "cpu_seconds"))}\n\n'
-            f'CPU time over that of {BEST_OF_PAPER}:\n\n{by_method(lambda mine, best: interval(ratios(mine, best), form=number))}\n\n'
+            f'CPU time divided by that of {BEST_OF_PAPER}:\n\n{by_method(lambda mine, best: interval(ratios(mine, best), form=number))}\n\n'
             f'Products with H:\n\n{by_method(lambda mine, _: interval([r["products"] for r in mine]))}\n\n'
             '`*`: not every step is certified (greedy elimination with kernel `eq9`: its answers overlap). '
             '`†`: a step took more than 60 s, and the history ended there.')

@@ -69,7 +69,7 @@ def codes_table(document):
         hertz = [f'{boundary} {100 * document["calibration"][key]["deviation"]:+.2f} %' for boundary in ('free', 'periodic')
                  if 'deviation' in document['calibration'].get(key := f'{name}, {boundary}', {})]
         rows.append([code['title'], code['version'] or '', ', '.join(hertz), code.get('not_run', '')])
-    return table(['code', 'version', 'largest Hertz pressure off by', 'not run'], rows)
+    return table(['code', 'version', 'error of the largest Hertz pressure', 'not run'], rows)
 
 
 def cases_tables(document):

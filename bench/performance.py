@@ -98,7 +98,7 @@ def pictures(results, images):
                   curves(lambda r: r['products']))
     memory_axis = settings + ('set format y "%g"\nset yrange [4:2000]\nset ytics (5,10,20,50,100,200,500,1000,2000)\n'
                               'set ylabel "peak memory [bytes/point]" offset 1,0')
-    drawing.panel(0, 1, 'memory beside gap and pressure', memory_axis, curves(lambda r: max(r['bytes_per_point'], 1e-3)))
+    drawing.panel(0, 1, 'memory without gap and pressure', memory_axis, curves(lambda r: max(r['bytes_per_point'], 1e-3)))
     if single:
         drawing.panel(1, 1, 'single precision, time to certified 10^{-4}', seconds_axis(single), curves(total_seconds, single))
     entries = [(f'{100 * area:g} % contact', style(number)) for number, area in enumerate(areas)]

@@ -278,7 +278,7 @@ def mesh_picture(document, file):
             errors.append(drawing.curve([(row['cells_a_wave'], 100 * max(abs(row[error]), 1e-6)) for row in rows], look))
             entries.append((f'{"cells" if key == "area" else "corrected"}, p = {pressure:g} E* slope', look))
     drawing.panel(0, 0, 'area against cell size',
-                  axes('cell size / shortest wave', 'area / area for cells of no size', (0, '*'), FREE, LINEAR, 1), areas)
+                  axes('cell size / shortest wave', 'area / area at cell size 0', (0, '*'), FREE, LINEAR, 1), areas)
     drawing.panel(1, 0, 'error of the area', axes('cells in the shortest wave', 'error [%]', (3, 90), FREE,
                                                   'set logscale xy\nset format "%g"\nset xtics (4,8,16,32,64)', 1), errors)
     drawing.draw(file, entries, 2)

@@ -218,7 +218,7 @@ def challenge_rows(document):
 
 
 def extrapolated(document, pressure=0.01):
-    """Area for cells of no size by the counted areas of the two finest grids of the first surface; None without two."""
+    """Area extrapolated to cell size 0 by the counted areas of the two finest grids of the first surface; None without two."""
     rows = sorted((row for row in document.get('challenge', []) if row['pressure'] == pressure and row['seed'] == 1), key=lambda row: row['n'])
     if len(rows) < 2:
         return None
@@ -244,18 +244,18 @@ def summary(document):
         add('crossing', f'area in contact at which the gap stops crossing, H = {row["hurst"]:g}',
             'Wang & Müser 2020, arXiv 2010.13470', f'near {CRITICAL}',
             f'{row["mean"]:.3f} ± {row["deviation"]:.3f}; cells counted: {row["raw"]:.3f}',
-            f'by {row["mean"] - CRITICAL:+.3f}, by {row["raw"] - CRITICAL:+.3f} if cells are counted; theirs does not say which')
+            f'by {row["mean"] - CRITICAL:+.3f}, by {row["raw"] - CRITICAL:+.3f} if cells are counted; the source does not say which')
     if len(rows.get('breadth', ())) > 2:
         a, b, off = logarithm(rows['breadth'])
         add('breadth', 'area at a given pressure falls with the logarithm of the Nayak parameter α',
             'Yastrebov, Anciaux & Molinari 2017, arXiv 1704.05650', 'a - b ln α, b > 0', f'{a:.3f} - {b:.3f} ln α, misfit {off:.3f}',
-            'their coefficients could not be read')
+            'their coefficients were not available')
         kappas, off = [row['kappa'] for row in rows['breadth']], max(row['misfit'] for row in rows['breadth'])
         pairs = [[row['kappa'] for row in each] for each in groups(rows['breadth'], 'band').values() if len(each) > 1]
         apart = max(abs(first / second - 1) for first, second in pairs)
         add('breadth', 'a = erf(√π/2 κ p/(E* slope)), nearly the same for all H', 'Prodanov, Dapp & Müser 2014, arXiv 1311.7547', 'form',
             f'κ {min(kappas):.2f} to {max(kappas):.2f}, between two H by {100 * apart:.0f} % at most; misfit up to {100 * off:.0f} %',
-            'the form is too low at light loads and too high at p = 0.4; their κ and gap law could not be read')
+            'the form is too low at light loads and too high at p = 0.4; their κ and gap law were not available')
     if 'gfmd' in rows:
         for name in ('area', 'corrected'):
             off = max(abs(row[name] / row['theirs'] - 1) for row in rows['gfmd'])
@@ -265,11 +265,11 @@ def summary(document):
     if 'challenge' in rows:
         row, limit = [each for each in rows['challenge'] if each['pressure'] == 0.01][-1], extrapolated(document)
         add('challenge', 'challenge surface without adhesion, 250 kPa: area', 'Wang & Müser 2017, Figure 2, digitised', f'{DENSITY_AREA} ± 3 %',
-            f'{row["corrected"]:.4f}' + (f'; for cells of no size {limit:.4f}' if limit else ''), 'another surface of the same spectrum')
+            f'{row["corrected"]:.4f}' + (f'; extrapolated to cell size 0 {limit:.4f}' if limit else ''), 'another surface of the same spectrum')
     if 'mirco' in rows:
         off = max(abs(row['difference']) for row in rows['mirco'])
         add('mirco', 'mean pressures of six regression inputs', 'MIRCO', 'tolerance 0.01', f'within {100 * off:.2f} %',
-            'theirs stop at their tolerance')
+            'MIRCO's runs stop at their tolerance')
     for row in rows.get('forms', ()):
         add('forms', row['title'], row['source'], f'closed form of the {row["quantity"]}', f'error {row["fine_error"]:.0e} on {row["fine"]}²',
             f'cells: order {row["order"]:.1f}' if row['order'] else '')

@@ -216,7 +216,7 @@ def pick_list(document):
     known = cases(document)
     pick('**If in doubt, `auto`.** To the grid\'s own error it took {median} times as long as the fastest method in the median of {n} '
          'contacts, {most} times at worst.', slower(document, 'auto', None)[0])
-    pick('**`haar-cg` on `fft`**, which `auto` takes on grids like these: to 1e-10 in the pressures it took {median} times as long as the '
+    pick('**`haar-cg` on `fft`**, which `auto` chooses on such grids: to 1e-10 in the pressures it took {median} times as long as the '
          'fastest method in the median of {n} contacts, {most} times at worst.', slower(document, FAST, 1e-10)[0])
     picks.append(dense_pick(document))
     pick('**`polonsky-keer` on `fft` is the standard method.** To 1e-2 in the pressures it took {median} times the time of `haar-cg`, '
@@ -227,13 +227,13 @@ def pick_list(document):
     single = against(document, 'haar-cg, fft, single', FAST, 1e-4)
     memory = [bytes_per_point(document, name) for name in ('haar-cg, fft, single', FAST)]
     if single:
-        text = ('- **Short of memory, and 1e-5 is enough: `fft.precision=single`.** To 1e-4 it took '
+        text = ('- **If memory is short and 1e-5 suffices: `fft.precision=single`.** To 1e-4 it took '
                 f'{times(median(single))} times the time of mixed precision')
         if all(memory):
-            text += f', and {median(memory[0]):.0f} bytes a point beside gap and pressures instead of {median(memory[1]):.0f}'
+            text += f', and {median(memory[0]):.0f} bytes a point in addition to gap and pressures, instead of {median(memory[1]):.0f}'
         picks.append(text + '.')
-    pick('**Products in double precision alone** (`haar-cg.products=double`) took {median} times the time of mixed ones to 1e-8, {least} to '
-         '{most}, and reach nothing that mixed ones do not.', against(document, 'haar-cg, fft, double', FAST, 1e-8))
+    pick('**Only double-precision products** (`haar-cg.products=double`) took {median} times the time of mixed ones to 1e-8, {least} to '
+         '{most}, without reaching smaller errors.', against(document, 'haar-cg, fft, double', FAST, 1e-8))
     pick('**Backend `split` is for sparse contact on large grids**, see [performance](performance.md). At 1 % of grids as small as these '
          'it took {median} times the time of `fft`, to 1e-6.',
          against(document, 'haar-cg, split', FAST, 1e-6, lambda case: case['contact'] == 0.01))
@@ -241,10 +241,10 @@ def pick_list(document):
     for name in ('cmr, fft', 'gp, fft', 'admm, fft', 'greedy, fft'):
         ratios, ran = slower(document, name, 1e-6)
         if ran:
-            found = f'{times(median(ratios))} times the time of the fastest method' if ratios else 'never got there'
+            found = f'{times(median(ratios))} times the time of the fastest method' if ratios else 'never reached it'
             slow.append(f'`{name.split(",")[0]}` {found} ({len(ratios)} of {ran} contacts within the limit)')
     if slow:
-        picks.append('- **The other methods of the paper are there to be compared with.** To 1e-6: ' + '; '.join(slow) + '.')
+        picks.append('- **The other methods of the paper are for comparison.** To 1e-6: ' + '; '.join(slow) + '.')
     wanted = [tolerance_of(document, case) for case in known if bounded(document, case)['pressure_error'] > FLOOR]
     wanted = [tol for tol in wanted if tol]
     if wanted:
