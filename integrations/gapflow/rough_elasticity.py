@@ -4,7 +4,7 @@
     rough_elasticity.install()  # before a Problem is made
 
 GaPFlow's elastic walls then use `roughcontact.Influence` for all its boundaries: periodic, free, and periodic along one axis,
-where the sum over images is exact instead of cut off after `n_images`.
+where the sum over images is exact instead of cut off after `n_images`. Each step takes the whole deformation of its pressure.
 """
 
 import numpy as np
@@ -18,11 +18,13 @@ _BOUNDARIES = {(True, True): "periodic", (False, False): "free", (True, False): 
 class ElasticDeformation(_HALF_SPACE):
     """As the class of the same name in GaPFlow, without its half-space."""
 
+    relaxation = 1.0  # in place of the input's alpha_underrelax, unless it is None
+
     def __init__(self, E, v, alpha_underrelax, grid, n_images):
         """E, v: Young's modulus and Poisson's ratio. alpha_underrelax: share of the new deformation in each step. grid: GaPFlow's
         [length]. n_images is not used."""
         del n_images
-        self.alpha_underrelax = alpha_underrelax
+        self.alpha_underrelax = alpha_underrelax if self.relaxation is None else self.relaxation
         points = grid["Nx"] + 2, grid["Ny"] + 2  # ghost cells included
         repeats = bool(grid["bc_xE_P"][0]), bool(grid["bc_yS_P"][0])
         lengths = [grid["Lx"], grid["Ly"]]
@@ -47,6 +49,8 @@ class ElasticDeformation(_HALF_SPACE):
         return np.broadcast_to(deformation.take([1], axis=self._line), deformation.shape).copy()
 
 
-def install():
-    """Makes every GaPFlow problem that is made from here on use this class."""
+def install(relaxation=1.0):
+    """Makes every GaPFlow problem that is made from here on use this class. relaxation: share of the new deformation in each step;
+    None for alpha_underrelax of the input."""
+    ElasticDeformation.relaxation = relaxation
     topography.ElasticDeformation = ElasticDeformation
