@@ -3,7 +3,8 @@
 
 Usage: mutants.py BUILD [--jobs N] [--only TEXT] [--list]
 
-BUILD: a build folder of this tree with lib/libroughcontact.a; programs of the mutants are built in BUILD/mutants. Of every file
+BUILD: a build folder of this tree with lib/libroughcontact.a (target roughcontact_static) that was configured with
+-DCMAKE_UNITY_BUILD=OFF; programs of the mutants are built in BUILD/mutants. Of every file
 and header listed below, each comparison, sign, product, constant, minimum, condition and single statement is changed alone: the file is compiled
 again, linked with tests/mutants, and that program must fail. Mutants that do not compile count for nothing. Those that none of these tests can tell
 stand in tests/mutants/equivalents.txt, with the reason: file | line of the source | change | reason. An entry that no longer occurs, or

@@ -2,16 +2,15 @@
 // checks many contacts at once, takes them from here as well; so they are constexpr.
 #pragma once
 
-#include <limits>
-
 #include "core/by_value.h"
+#include "core/limits.h"
 
 namespace rc {
 
 // 0/0 is no violation; anything else over 0 is an infinite one.
 constexpr double relative_violation(double violation, double scale) {
   if (violation == 0) return 0;
-  return scale > 0 ? violation / scale : std::numeric_limits<double>::infinity();
+  return scale > 0 ? violation / scale : infinite;
 }
 
 // max(0, -min p) / max|p|, and max(0, max p - c) / c
@@ -22,7 +21,6 @@ constexpr double primal_violation(double least_p, double largest_p, double hardn
 
 // If the gap is negative, the pressure may still grow by this share of the hardness.
 constexpr double room_below(double hardness, double p, double gap) {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
   return gap < 0 && hardness < infinite ? larger_of(0.0, 1 - p / hardness) : infinite;
 }
 
