@@ -269,7 +269,7 @@ def summary(document):
     if 'mirco' in rows:
         off = max(abs(row['difference']) for row in rows['mirco'])
         add('mirco', 'mean pressures of six regression inputs', 'MIRCO', 'tolerance 0.01', f'within {100 * off:.2f} %',
-            'MIRCO's runs stop at their tolerance')
+            "MIRCO's runs stop at their tolerance")
     for row in rows.get('forms', ()):
         add('forms', row['title'], row['source'], f'closed form of the {row["quantity"]}', f'error {row["fine_error"]:.0e} on {row["fine"]}²',
             f'cells: order {row["order"]:.1f}' if row['order'] else '')
