@@ -1,5 +1,8 @@
 """Texts for other packagers: each is read by the program that it is for, or as far as that goes without it."""
 
+import hashlib
+import json
+import os
 import pathlib
 import re
 import subprocess
@@ -34,6 +37,18 @@ def test_conda_recipe():
     assert (SOURCE / found["about"]["license_file"][0]).exists()
     with pytest.raises(rattler.RattlerBuildError):
         rattler.Stage0Recipe.from_yaml("package: {name: a, version: '1'}\nbuidl: {number: 0}\n")
+
+
+def test_bill_of_materials(tmp_path):
+    validation = pytest.importorskip("cyclonedx.validation.json")
+    from cyclonedx.schema import SchemaVersion
+
+    (tmp_path / "roughcontact-9.8.7.tar.gz").write_bytes(b"archive")
+    script = SOURCE / "scripts" / "bill_of_materials.py"
+    ran = subprocess.run([sys.executable, script, "9.8.7", tmp_path], capture_output=True, text=True, env={**os.environ, "SOURCE_DATE_EPOCH": "0"})
+    assert validation.JsonStrictValidator(SchemaVersion.V1_5).validate_str(ran.stdout) is None, ran.stdout + ran.stderr
+    file = json.loads(ran.stdout)["components"][0]
+    assert file["version"] == "9.8.7" and file["hashes"][0]["content"] == hashlib.sha256(b"archive").hexdigest()
 
 
 RECIPE = SOURCE / "packaging" / "spack" / "package.py"
