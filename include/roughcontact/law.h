@@ -15,9 +15,10 @@
  * node to the next, and assumes it in between. Bounds are widened by the intervals that are proven at the nodes
  * (rc_result.load_lower .. stiffness_upper). They hold for the discrete problem: this grid, this kernel.
  *
- * Between the nodes p is a C1 quadratic spline with one knot in each interval, where the tangents meet. It has the nodes' values
- * and slopes, is convex where they are, and so stays inside the bounds. Only where a node lies on a kink of the exact curve, at
- * which a point is about to touch, and below p_lower may its slope jump. Its energy is its exact integral.
+ * Between the nodes p is a C1 quadratic spline with one knot in each interval, where the tangents meet. It has the nodes'
+ * values and slopes, is convex where they are, and so stays inside the bounds. Only where a node lies on a kink of the exact
+ * curve, at which a point is about to touch, in intervals of RC_LAW_SLOPES and _MONOTONE that no such spline fits, which get
+ * the chord, and below p_lower may its slope jump. Its energy is its exact integral.
  *
  * A law describes first loading: with a hardness, unloading is another law.
  */

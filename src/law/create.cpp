@@ -69,6 +69,7 @@ class LawMaker {
       nodes_.add(std::move(fresh));
       if (nodes_.size() == before) break;
     }
+    thin();
     made.law = law(system);
     if (made.status == RC_OK && made.law->info.width > spec_.tolerance)
       stop(made, RC_STOP_STALLED,
@@ -85,21 +86,40 @@ class LawMaker {
     made.remark = std::move(remark);
   }
 
-  // How many times too wide an interval is, in its bounds or, without any, in how far its chord is from its tangents.
-  double need(const rc_law_node& node, const rc_law_node& next) const {
-    double most = 0;
+  // How many times too wide an interval is, in its bounds or, without any, in how far its chord is from its tangents; and at
+  // which share of it.
+  struct Need {
+    double times, at;
+  };
+  Need need(const rc_law_node& node, const rc_law_node& next) const {
+    double most = 0, at = 0.5;
     if (node.bounds == RC_LAW_MONOTONE) {
       const double h = next.x - node.x, chord = (next.p - node.p) / h;
       most = std::max(std::abs(chord - node.slope), std::abs(next.slope - chord)) * h / (8 * node.p) / spec_.tolerance;
     } else {
-      most = half_width(node, next) / spec_.tolerance;
+      const LawWidth width = widest(node, next, patch_.bulk_yield());
+      most = width.half / spec_.tolerance;
+      at = std::clamp(width.at, 0.05, 0.95);
     }
     if (spec_.tolerance_conductance > 0 && node.bounds != RC_LAW_MONOTONE && next.x - node.x > jump_width * node.x) {
       const double times = (node.between_upper / node.between_lower - 1) / 2 / spec_.tolerance_conductance;
       most =
           std::max(most, times > 1 ? times * times : 0);  // the width of slopes falls with the length, that of p with its square
     }
-    return most;
+    return {most, at};
+  }
+
+  // Leaves out nodes that the tolerance does not need: with a hardness, halving leaves many short intervals between kinks of both
+  // signs.
+  void thin() {
+    if (!patch_.plastic()) return;
+    for (std::size_t i = 2; i + 1 < nodes_.size();) {
+      LawSample before = nodes_.skipping(i);
+      if (before.node.bounds != RC_LAW_MONOTONE && need(before.node, nodes_[i + 1].node).times <= 1)
+        nodes_.leave_out(i, std::move(before));
+      else
+        ++i;
+    }
   }
 
   // Approaches of further nodes, in ascending order.
@@ -107,24 +127,18 @@ class LawMaker {
     std::vector<double> approaches;
     for (std::size_t i = 1; i + 1 < nodes_.size(); ++i) {
       const LawSample &sample = nodes_[i], &next = nodes_[i + 1];
-      const double times = need(sample.node, next.node), d = sample.approach, h = next.approach - d;
+      const auto [times, at] = need(sample.node, next.node);
+      const double d = sample.approach, h = next.approach - d;
       if (!(times > 1) || !(h > least_step * next.approach)) continue;
-      const int parts = static_cast<int>(std::min<double>(most_parts, std::ceil(0.75 * std::sqrt(times))));
+      const int parts = static_cast<int>(std::min<double>(most_parts, std::ceil(1.05 * std::sqrt(times))));
       if (parts <= 2) {
-        approaches.push_back(d + h * meeting(sample.node, next.node));
+        approaches.push_back(d + h * at);
         continue;
       }
       const double ratio = std::pow(next.approach / d, 1.0 / parts);
       for (int part = 1; part < parts; ++part) approaches.push_back(d * std::pow(ratio, part));
     }
     return approaches;
-  }
-
-  // The point where the tangents meet, as a share of the interval: there its bounds are widest.
-  static double meeting(const rc_law_node& node, const rc_law_node& next) {
-    if (node.bounds != RC_LAW_CONVEX || !(next.slope > node.slope)) return 0.5;
-    const double h = next.x - node.x;
-    return std::clamp((node.p - next.p + next.slope * h) / ((next.slope - node.slope) * h), 0.05, 0.95);
   }
 
   std::unique_ptr<Law> law(const rc_system& system) const {

@@ -23,7 +23,12 @@ LawInterval between(const rc_law_node& node, const rc_law_node& next) {
   if (middle(0.5) >= 0) return knotted(length, 0.5, first, middle(0.5), last);
   // A smaller share of the larger slope, so that p rises.
   const double theta = first > last ? std::min(0.5, chord / first) : 1 - std::min(0.5, chord / last);
-  return knotted(length, theta, first, std::max(0.0, middle(theta)), last);
+  return middle(theta) >= 0 ? knotted(length, theta, first, middle(theta), last) : chord_between(node, next);
+}
+
+LawInterval chord_between(const rc_law_node& node, const rc_law_node& next) {
+  const double length = next.x - node.x, chord = (next.p - node.p) / length;
+  return knotted(length, 0.5, chord, chord, chord);
 }
 
 LawInterval up_to_first(const rc_law_node& node) {

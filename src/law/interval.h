@@ -3,6 +3,8 @@
 
 #include <roughcontact/law.h>
 
+#include <algorithm>
+
 namespace rc {
 
 struct LawPart {
@@ -18,10 +20,16 @@ struct LawInterval {
   LawPart before, after;
 
   double energy(double p) const { return before.energy(p) + after.energy(p + before.rise()); }
+  double rise(double t) const {  // from its beginning to t
+    const double first = std::min(t, before.length), second = t - first;
+    return first * (before.first + first * before.half_bend()) + second * (after.first + second * after.half_bend());
+  }
 };
 
-// C1, with the values and slopes of both nodes. If the chord's slope is between theirs, the knot is where the tangents meet.
+// C1, with the values and slopes of both nodes; the chord if no such curve rises. If the chord's slope is between theirs, the
+// knot is where the tangents meet.
 LawInterval between(const rc_law_node& node, const rc_law_node& next);
+LawInterval chord_between(const rc_law_node& node, const rc_law_node& next);
 // From the origin, where nothing touches, to the first node: has that node's value and slope, is convex, and has its energy. Its
 // slope jumps at the origin or at the knot where the energy asks for it.
 LawInterval up_to_first(const rc_law_node& node);

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <limits>
 
-#include "law/interval.h"
 #include "law/table.h"
 
 namespace rc {
@@ -15,17 +14,28 @@ namespace {
 
 constexpr double largest = std::numeric_limits<double>::max();
 
+// How far p may be from the chord between two nodes, see law_table_node.
+struct LawBow {
+  double above = 0, below = 0;
+};
+
+// docs/development/derivation.md, Laws with a hardness. Stiffnesses are per nominal area, of the patch itself.
+LawBow bow_of(const rc_law_node& node, const rc_law_node& next, double bulk_yield) {
+  if (node.bounds == RC_LAW_MONOTONE) return {};
+  const auto stiffness = [&](double slope) { return slope / (1 + bulk_yield * slope); };
+  const double low = stiffness(node.between_lower), high = stiffness(node.between_upper), h = next.x - node.x;
+  const auto lost = [&](double first, double second) {  // of the slope, if at most the larger of both is lost of the stiffness
+    const double least = std::max(0.0, high - std::max(first, second));
+    return h * (node.between_upper - least / (1 - bulk_yield * least));
+  };
+  return {node.bounds == RC_LAW_CONVEX ? 0 : lost(stiffness(node.slope_upper) - low, high - stiffness(next.slope_lower)),
+          lost(high - stiffness(node.slope_lower), stiffness(next.slope_upper) - low)};
+}
+
 // A node as a table has it.
-std::array<double, law_table_node> record_of(const rc_law_node& node) {
-  return {node.x,
-          node.p_lower,
-          node.p_upper,
-          node.between_lower,
-          std::min(node.between_upper, largest),
-          static_cast<double>(node.bounds),
-          node.p,
-          node.area_fraction,
-          node.area_lower,
+std::array<double, law_table_node> record_of(const rc_law_node& node, LawBow bow = {}) {
+  return {node.x,         node.p_lower, node.p_upper, node.between_lower, std::min(node.between_upper, largest),
+          bow.above,      bow.below,    node.p,       node.area_fraction, node.area_lower,
           node.area_upper};
 }
 
@@ -39,8 +49,8 @@ class LawTable {
     keys_.push_back(x);
     numbers_.insert(numbers_.end(), {x, p, slope, half_bend, energy});
   }
-  void node(const rc_law_node& node) {
-    const auto record = record_of(node);
+  void node(const rc_law_node& node, LawBow bow) {
+    const auto record = record_of(node, bow);
     numbers_.insert(numbers_.end(), record.begin(), record.end());
   }
   std::vector<double> finished() {
@@ -66,17 +76,37 @@ double half_of(double lower, double upper) { return lower > 0 ? (upper / lower -
 
 }  // namespace
 
-double half_width(const rc_law_node& node, const rc_law_node& next) {
-  const double h = next.x - node.x, low = node.between_lower, high = std::min(node.between_upper, largest);
-  const auto record = record_of(node), next_record = record_of(next);
-  const auto at = [&](double t) {
+// The upper bound is concave and the lower one convex, so their ratio has one maximum.
+LawWidth widest(const rc_law_node& node, const rc_law_node& next, double bulk_yield) {
+  const auto record = record_of(node, bow_of(node, next, bulk_yield)), next_record = record_of(next);
+  const auto half = [&](double share) {
     double lower = 0, upper = 0;
-    roughcontact_law_envelope(record.data(), next_record.data(), node.x + std::clamp(t, 0.0, h), &lower, &upper);
+    const double x = std::min(next.x, node.x + share * (next.x - node.x));
+    roughcontact_law_envelope(record.data(), next_record.data(), x, &lower, &upper);
     return half_of(lower, upper);
   };
-  if (!(high > low)) return at(h / 2);
-  return std::max(at((node.p_lower - next.p_lower + high * h) / (high - low)),
-                  at((next.p_upper - node.p_upper - low * h) / (high - low)));
+  double low = 0, high = 1;
+  while (high - low > 1e-9) {
+    const double first = low + (high - low) / 3, second = high - (high - low) / 3;
+    (half(first) < half(second) ? low : high) = half(first) < half(second) ? first : second;
+  }
+  return {(low + high) / 2, half((low + high) / 2)};
+}
+
+// The chord is inside all bounds.
+LawInterval Law::curve_of(std::size_t i) const {
+  const rc_law_node &node = nodes[i], &next = nodes[i + 1];
+  if (i == 0) return up_to_first(next);
+  const LawInterval curve = between(node, next);
+  if (node.bounds != RC_LAW_SLOPES) return curve;
+  const auto record = record_of(node, bow_of(node, next, bulk_yield())), next_record = record_of(next);
+  for (int part = 1; part < 16; ++part) {
+    const double t = (next.x - node.x) * part / 16, p = node.p + curve.rise(t);
+    double lower = 0, upper = 0;
+    roughcontact_law_envelope(record.data(), next_record.data(), node.x + t, &lower, &upper);
+    if (p < lower * (1 - 1e-12) || p > upper * (1 + 1e-12)) return chord_between(node, next);
+  }
+  return curve;
 }
 
 void Law::finish() {
@@ -88,7 +118,7 @@ void Law::finish() {
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
     const rc_law_node& node = nodes[i];
     rc_law_node& next = nodes[i + 1];
-    const LawInterval curve = i == 0 ? up_to_first(next) : between(node, next);
+    const LawInterval curve = curve_of(i);
     const LawPart &before = curve.before, &after = curve.after;
     pieces.piece(node.x, node.p, before.first, before.half_bend(), energy);
     pieces.piece(node.x + before.length, node.p + before.rise(), after.first, after.half_bend(), energy + before.energy(node.p));
@@ -97,12 +127,13 @@ void Law::finish() {
     if (i == 0) continue;
     info.energy_error = std::max(info.energy_error, std::abs(energy / next.energy - 1));
     info.bounds = std::max(info.bounds, node.bounds);
-    if (node.bounds != RC_LAW_MONOTONE) info.width = std::max(info.width, half_width(node, next));
+    if (node.bounds != RC_LAW_MONOTONE) info.width = std::max(info.width, widest(node, next, bulk_yield()).half);
     info.width_conductance = std::max(info.width_conductance, half_of(node.between_lower, node.between_upper));
     info.width_area = std::max(info.width_area, half_of(node.area_lower, next.area_upper));
   }
   pieces.piece(nodes.back().x, nodes.back().p, nodes.back().slope, 0, energy);
-  for (const rc_law_node& node : nodes) pieces.node(node);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    pieces.node(nodes[i], i + 1 < nodes.size() ? bow_of(nodes[i], nodes[i + 1], bulk_yield()) : LawBow{});
   table = pieces.finished();
   info.nodes = static_cast<std::int64_t>(nodes.size());
   info.x_lower = nodes[1].x, info.p_lower = nodes[1].p;

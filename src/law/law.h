@@ -3,7 +3,10 @@
 
 #include <roughcontact/law.h>
 
+#include <cstddef>
 #include <vector>
+
+#include "law/interval.h"
 
 namespace rc {
 
@@ -15,9 +18,15 @@ struct Law {
 
   // Fills the table from the nodes, and what follows from both: energies that are not known (NaN), widths, ranges and bounds.
   void finish();
+  LawInterval curve_of(std::size_t i) const;  // from node i to the next
+  double bulk_yield() const { return info.bulk_stiffness > 0 ? info.area / info.bulk_stiffness : 0; }
 };
 
-// The largest half-width of the bounds of p over p between two neighbouring nodes.
-double half_width(const rc_law_node& node, const rc_law_node& next);
+// Where the bounds of p between two neighbouring nodes are widest, as a share of the interval, and half their width over p there.
+// bulk_yield: by how much the bulk makes the approach larger than the overclosure, over the nominal pressure.
+struct LawWidth {
+  double at, half;
+};
+LawWidth widest(const rc_law_node& node, const rc_law_node& next, double bulk_yield);
 
 }  // namespace rc

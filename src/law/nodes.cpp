@@ -20,6 +20,17 @@ void LawNodes::add(std::vector<LawSample> fresh) {
     if (samples_[i].bounded_to != samples_[i + 1].approach) bound(samples_[i], samples_[i + 1]);
 }
 
+LawSample LawNodes::skipping(std::size_t i) const {
+  LawSample before = samples_[i - 1];
+  bound(before, samples_[i + 1]);
+  return before;
+}
+
+void LawNodes::leave_out(std::size_t i, LawSample before) {
+  samples_[i - 1] = std::move(before);
+  samples_.erase(samples_.begin() + static_cast<std::ptrdiff_t>(i));
+}
+
 void LawNodes::bound(LawSample& sample, const LawSample& next) const {
   sample.bounded_to = next.approach;
   rc_law_node& node = sample.node;

@@ -15,6 +15,11 @@ class LawNodes {
   // and one whose pressure is not between those of its neighbours is left out.
   void add(std::vector<LawSample> fresh);
 
+  // Node i - 1 with what holds between it and node i + 1.
+  LawSample skipping(std::size_t i) const;
+  // Leaves out node i; `before` is the one that skips it.
+  void leave_out(std::size_t i, LawSample before);
+
   std::size_t size() const { return samples_.size(); }
   const LawSample& operator[](std::size_t i) const { return samples_[i]; }
 

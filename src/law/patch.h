@@ -42,6 +42,7 @@ class LawPatch {
   double area() const { return area_; }
   double mean_gap() const { return mean_gap_; }
   std::int32_t bulk() const { return bulk_; }
+  double bulk_yield() const { return spec_.bulk_stiffness > 0 ? area_ / spec_.bulk_stiffness : 0; }
   std::int64_t solves() const { return solves_; }
   bool plastic() const;
 

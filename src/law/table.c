@@ -104,14 +104,15 @@ int roughcontact_law_slope(const double* table, double p, double* slope) {
 }
 
 void roughcontact_law_envelope(const double* node, const double* next, double x, double* p_lower, double* p_upper) {
-  const double t = x - node[0], rest = next[0] - x;
+  const double t = x - node[0], rest = next[0] - x, share = t / (next[0] - node[0]), bow = share * (1 - share);
   *p_lower = larger(node[1], node[1] + node[3] * t);
   *p_upper = smaller(next[2], next[2] - node[3] * rest);
   if (node[4] < DBL_MAX) { /* a bound is known */
     *p_lower = larger(*p_lower, next[1] - node[4] * rest);
     *p_upper = smaller(*p_upper, node[2] + node[4] * t);
+    *p_lower = larger(*p_lower, node[1] + (next[1] - node[1]) * share - node[6] * bow);
+    *p_upper = smaller(*p_upper, node[2] + (next[2] - node[2]) * share + node[5] * bow);
   }
-  if (node[5] == 1) *p_upper = smaller(*p_upper, node[2] + (next[2] - node[2]) * (t / (next[0] - node[0])));
 }
 
 void roughcontact_law_bounds_at(const double* table, double x, double p, struct roughcontact_law_bounds* bounds) {
@@ -120,19 +121,19 @@ void roughcontact_law_bounds_at(const double* table, double x, double p, struct 
   const double t = x - node[0];
   bounds->slope_lower = node[3];
   bounds->slope_upper = node[4];
-  bounds->area_lower = node[8];
+  bounds->area_lower = node[9];
   if (node == nodes(table) + law_table_node * ((int)table[2] - 1)) {
     bounds->p_lower = node[1] + node[3] * t;
     bounds->p_upper = t > 0 ? HUGE_VAL : node[2];
-    bounds->area = smaller(1, node[7] * p / node[6]);
-    bounds->area_upper = t > 0 ? 1 : node[9];
+    bounds->area = smaller(1, node[8] * p / node[7]);
+    bounds->area_upper = t > 0 ? 1 : node[10];
     return;
   }
   {
-    const double rise = next[6] - node[6], share = rise > 0 ? (p - node[6]) / rise : 0;
+    const double rise = next[7] - node[7], share = rise > 0 ? (p - node[7]) / rise : 0;
     roughcontact_law_envelope(node, next, x, &bounds->p_lower, &bounds->p_upper);
-    bounds->area = node[7] + (next[7] - node[7]) * larger(0, smaller(1, share));
-    bounds->area_upper = next[9];
+    bounds->area = node[8] + (next[8] - node[8]) * larger(0, smaller(1, share));
+    bounds->area_upper = next[10];
   }
 }
 

@@ -4,7 +4,8 @@
  * The numbers of a table are, from 0 on:
  *   how many numbers   pieces   nodes   2 / E*   first bucket   buckets   0   0
  *   pieces: x, p, dp/dx, half of d2p/dx2 and energy where each begins; two for an interval between nodes, one beyond the last
- *   nodes: x, p_lower, p_upper, between_lower, between_upper, bounds, p, area, area_lower, area_upper
+ *   nodes: x, p_lower, p_upper, between_lower, between_upper, above, below, p, area, area_lower, area_upper; up to the next
+ *     node, p is at most above s (1 - s) higher and below s (1 - s) lower than the chord, s being the share of the interval
  *   buckets: the last piece that begins at or before each of 64 values of x an octave
  * Every function returns 0, 106 (RC_OUTSIDE) beyond the last node or -1 (RC_ERR_ARGUMENT) for NaN and infinity, and keeps
  * nothing. */
@@ -15,7 +16,7 @@
 extern "C" {
 #endif
 
-enum { law_table_head = 8, law_table_piece = 5, law_table_node = 10 };
+enum { law_table_head = 8, law_table_piece = 5, law_table_node = 11 };
 
 /* In which of 64 buckets an octave a number > 0 is; exact in a double. */
 double roughcontact_law_bucket(double x);
