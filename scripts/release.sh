@@ -71,7 +71,7 @@ sed -n "/^## $version /,/^## /{/^## [^$version]/d;p}" CHANGELOG.md >"$out/$name-
 
 step "paper"
 (cd paper && pandoc paper.md --citeproc --pdf-engine=pdflatex -M author="The roughcontact developers" -V geometry:margin=25mm \
-  -V colorlinks -o "$out/$name-paper.pdf")
+  -V colorlinks -V header-includes='\pdftrailerid{}' -o "$out/$name-paper.pdf")
 
 step "Debian packages"
 packaging/build.sh "$out" >"$work/log" 2>&1 || { tail -30 "$work/log"; exit 1; }
