@@ -102,7 +102,7 @@ class LawMaker {
       at = std::clamp(width.at, 0.05, 0.95);
     }
     if (spec_.tolerance_conductance > 0 && node.bounds != RC_LAW_MONOTONE && next.x - node.x > jump_width * node.x) {
-      const double times = (node.between_upper / node.between_lower - 1) / 2 / spec_.tolerance_conductance;
+      const double times = (node.between_upper / std::max(0.0, node.between_lower) - 1) / 2 / spec_.tolerance_conductance;
       most =
           std::max(most, times > 1 ? times * times : 0);  // the width of slopes falls with the length, that of p with its square
     }

@@ -44,8 +44,13 @@ void LawNodes::bound(LawSample& sample, const LawSample& next) const {
     if (!sample.capped.within(next.capped)) return;
     const auto slopes = patch_.slopes(sample.contacts.without(next.capped), next.contacts.without(sample.capped));
     if (!slopes) return;
+    double lower = slopes->lower;
+    if (!next.capped.within(sample.contacts)) {  // what points change that touch and reach the hardness is bounded by all slopes
+      lower = std::min(lower, std::min(node.slope_upper, next.node.slope_upper) - (slopes->upper - lower));
+      if (lower < 0 && patch_.bulk_yield() > 0) return;
+    }
     node.bounds = RC_LAW_SLOPES;
-    node.between_lower = slopes->lower;
+    node.between_lower = lower;
     node.between_upper = slopes->upper;
     return;
   }

@@ -119,7 +119,7 @@ void roughcontact_law_bounds_at(const double* table, double x, double p, struct 
   const double* const node = nodes(table) + law_table_node * (int)((piece_at(table, x) - pieces(table)) / (2 * law_table_piece));
   const double* const next = node + law_table_node;
   const double t = x - node[0];
-  bounds->slope_lower = node[3];
+  bounds->slope_lower = larger(0, node[3]);
   bounds->slope_upper = node[4];
   bounds->area_lower = node[9];
   if (node == nodes(table) + law_table_node * ((int)table[2] - 1)) {

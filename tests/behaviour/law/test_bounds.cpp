@@ -50,6 +50,7 @@ void stays_in_its_bounds(const Patch& patch, int checks) {
   check(outside.p == 0, std::to_string(outside.p) + " pressures outside their bounds");
   check(outside.conductance == 0, std::to_string(outside.conductance) + " conductances outside their bounds");
   check(outside.area == 0, std::to_string(outside.area) + " areas outside their bounds");
+  if (patch.spec.tolerance_conductance == 0) check(info.nodes <= 130, std::to_string(info.nodes) + " nodes");
   check(info.width <= patch.spec.tolerance, "the bounds are " + text(info.width) + " wide");
   check(result.status == (info.bounds == RC_LAW_MONOTONE ? RC_UNCERTIFIED : RC_OK), "status " + std::to_string(result.status));
   check(outside.error_p < 5 * patch.spec.tolerance, "p is off by " + text(outside.error_p));
