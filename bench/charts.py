@@ -1,4 +1,5 @@
 """Charts by gnuplot: panels of curves above one legend."""
+import math
 import os
 import subprocess
 
@@ -10,6 +11,7 @@ OPEN_MARKERS = [6, 8, 4, 12, 10, 14]  # the same shapes, hollow
 PROPORTIONAL = 'lw 1.2 lc rgb "#888888" dt (2,4)'
 
 HEAD = '''set terminal pngcairo size {width},{height} font "DejaVu Sans,11" linewidth 1.2
+height = {height}.
 set output "{file}"
 set encoding utf8
 set multiplot
@@ -43,10 +45,10 @@ def style(number):
     return line(STYLES[number % len(STYLES)])
 
 
-def axes(xlabel, ylabel, x, y, more='', offset=1.2):
+def axes(xlabel, ylabel, x, y, more=''):
     """Ranges and labels of a panel, after other settings."""
     return (f'{more}\nset xrange [{x[0]}:{x[1]}]\nset yrange [{y[0]}:{y[1]}]\nset xlabel "{xlabel}" offset 0,0.4\n'
-            f'set ylabel "{ylabel}" offset {offset},0')
+            f'set label 1 "{ylabel}" at screen left, graph 0.5 center rotate')  # gnuplot's own ylabel may lie on wide tick labels
 
 
 def ticks(axis, places):
@@ -55,11 +57,11 @@ def ticks(axis, places):
 
 
 class Panels:
-    """Panels on a grid above one legend, in pixels."""
+    """Panels on a grid above one legend, in pixels; the height is without the legend."""
 
-    def __init__(self, width, height, columns, rows, legend):
+    def __init__(self, width, height, columns, rows):
         self.size = width, height
-        self.columns, self.rows, self.legend = columns, rows, legend
+        self.columns, self.rows = columns, rows
         self.script, self.blocks = [], 0
 
     def curve(self, points, look, using=''):
@@ -73,18 +75,21 @@ class Panels:
         """A curve of (x, y, lower, upper) and its intervals."""
         return [self.curve(points, look), self.curve(points, look.replace('linespoints', 'yerrorbars'), 'using 1:2:3:4')]
 
-    def panel(self, column, row, title, settings, curves):
+    def panel(self, column, row, title, settings, curves, margin=68):
+        """margin: for the labels on the left."""
         width, height = self.size
-        w, h = width / self.columns, (height - self.legend) / self.rows
-        left, right = column * w + 68, (column + 1) * w - 18
-        top, bottom = height - row * h - 30, height - (row + 1) * h + 50
-        self.script.append(f'set lmargin at screen {left / width}\nset rmargin at screen {right / width}\n'
-                           f'set tmargin at screen {top / height}\nset bmargin at screen {bottom / height}\n'
+        w, h = width / self.columns, height / self.rows
+        left, right = column * w, (column + 1) * w - 18
+        self.script.append(f'left = {(left + 11) / width}\nset lmargin at screen {(left + margin) / width}\nset rmargin at screen {right / width}\n'
+                           f'set tmargin at screen 1-{row * h + 30}/height\nset bmargin at screen 1-{(row + 1) * h - 50}/height\n'
                            f'set title "{title}" offset 0,-0.6\n{settings}\nplot {", ".join(curves)}\n')
 
     def draw(self, file, entries, columns):
         width, height = self.size
-        self.script.append(LEGEND.format(top=self.legend / height, below=(self.legend - 6) / height, columns=columns,
+        columns = min(columns, max(1, int(0.9 * width / (60 + 9 * max(len(name) for name, _ in entries)))))  # gnuplot's widths
+        legend = 16 + 23 * math.ceil(len(entries) / columns)
+        height += legend
+        self.script.append(LEGEND.format(top=legend / height, below=(legend - 6) / height, columns=columns,
                                          entries=', '.join(f'NaN with {look} title "{name}"' for name, look in entries)))
         os.makedirs(os.path.dirname(file), exist_ok=True)
         script = HEAD.format(width=width, height=height, file=file) + ''.join(self.script)

@@ -47,7 +47,7 @@ def sections(results):
 
 def pictures(results, images):
     data = load(results, 'failures')
-    drawing, curves, entries = Panels(800, 530, 2, 1, 150), [], []
+    drawing, curves, entries = Panels(800, 380, 2, 1), [], []
     drawing.script.append('unset logscale\nset format "%g"\n')
     for number, (kernel,) in enumerate(groups(data['greedy'], 'kernel')):
         shift = 1 + 0.05 * (number - 2)  # so that the kernels that never fail do not hide each other
@@ -55,18 +55,16 @@ def pictures(results, images):
         curves += drawing.bars(points, style(number))
         entries.append((f'kernel {kernel}', style(number)))
     drawing.panel(0, 0, 'greedy: share of wrong answers, Example 1',
-                  axes('points n', '% of draws', (18, 560), (-3, 100), 'set logscale x\nset xtics (25,100,400)', 1.5), curves)
+                  axes('points n', '% of draws', (18, 560), (-3, 100), 'set logscale x\nset xtics (25,100,400)'), curves)
 
     surfaces, curves = [name for (name,) in groups(data['cmr'], 'surface')], []
     looks = [*(('plain_error', kind, f'as published, {kind}', look) for kind, look in FILTERS.items()),
              ('certified_error', 'max', 'certified', 'pt 7 lc rgb "#000000"')]
     for key, kind, name, look in looks:
         largest = [100 * max(abs(r[key]) for r in chosen(data['cmr'], surface=surface, filter=kind)) for surface in surfaces]
-        curves.append(drawing.curve([(i, max(value, 1e-8)) for i, value in enumerate(largest)], f'points ps 1.3 {look}'))
+        curves.append(drawing.curve([(max(value, 1e-8), i) for i, value in enumerate(largest)], f'points ps 1.3 {look}'))
         entries.append((name.replace('subsample', 'sub-sampled'), f'points ps 1.3 {look}'))
-    settings = (f'unset logscale x\nset logscale y\nset format y "10^{{%T}}"\nset ytics 1e-8,100,100\n'
-                f'{ticks("x", [(name, i) for i, name in enumerate(surfaces)])} rotate by 25 right font ",8" noenhanced\n'
-                f'set bmargin at screen {(150 + 85) / 530}')
-    drawing.panel(1, 0, 'cascade multi-resolution: error of the load',
-                  axes('', '% of the load', (-0.6, len(surfaces) - 0.4), (1e-8, 200), settings, 1), curves)
+    settings = 'set format x "10^{%T}"\nset xtics 1e-8,100\n' + ticks('y', [(name, i) for i, name in enumerate(surfaces)]) + ' noenhanced'
+    drawing.panel(1, 0, 'cascade multi-resolution',
+                  axes('error of the load [%]', '', (1e-8, 200), (len(surfaces) - 0.4, -0.6), settings), curves, 180)
     drawing.draw(os.path.join(images, 'failures.png'), entries, 2)

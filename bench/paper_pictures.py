@@ -28,7 +28,7 @@ def scale(axis, low, high, log):
 
 def frame(x, y, xlabel, ylabel, log='', more=''):
     """log: the axes with logarithmic scales."""
-    return axes(xlabel, ylabel, x, y, 'unset logscale\nunset label\nunset object\n' + scale('x', *x, 'x' in log) + scale('y', *y, 'y' in log) + more)
+    return axes(xlabel, ylabel, x, y, 'unset logscale\n' + scale('x', *x, 'x' in log) + scale('y', *y, 'y' in log) + more)
 
 
 def around(values, log=True, spare=0.06):
@@ -51,7 +51,7 @@ def every(series):
 
 
 def figure_2(found, file):
-    row, drawing, stems = found[0], Panels(800, 720, 1, 3, 45), f'points ps 0.8 {LOOKS[0]}'
+    row, drawing, stems = found[0], Panels(800, 675, 1, 3), f'points ps 0.8 {LOOKS[0]}'
     overlap, solution = 'points ps 1.6 lw 2 lc rgb "#D55E00" pt 6', 'points ps 1.2 lw 1.5 lc rgb "#009E73" pt 4'
     places = range(1, len(row['u']) + 1)
     panels = [('compenetration', 'u', (0, 1.05), 'u [length]', []),
@@ -68,7 +68,7 @@ def figure_2(found, file):
 
 def figure_4(rows, file):
     """Forces as if the rms height were a hundredth of the side L: they are proportional to heights."""
-    drawing = Panels(800, 480, 2, 1, 110)
+    drawing = Panels(800, 370, 2, 1)
     for column, setting in enumerate(('dense', 'fft')):
         found = sorted(chosen(rows, setting=setting, seed=1), key=lambda r: METHODS.index(r['method']))
         series = [[(pressure * 0.01 / row['rms_height'], cpu) for pressure, cpu in zip(row['steps']['mean_pressure'], row['steps']['cpu_seconds'])
@@ -82,7 +82,7 @@ def figure_4(rows, file):
 
 
 def figure_5(found, file):
-    drawing, panels = Panels(800, 440, 2, 1, 80), {'greedy elimination': [], 'relative to conjugate gradients': []}
+    drawing, panels = Panels(800, 360, 2, 1), {'greedy elimination': [], 'relative to conjugate gradients': []}
     bare = [{**row, 'inner': 'stored before', 'cpu_seconds': row['cpu_seconds'] - row['storing_seconds']}
             for row in chosen(found, inner='gauss-seidel')]
     for inner in ('cg', 'cholesky', 'gauss-seidel', 'stored before'):
@@ -104,7 +104,7 @@ def figure_5(found, file):
 
 
 def figure_6(found, file):
-    drawing, steps = Panels(800, 460, 2, 1, 100), values_of(found, 'projections')
+    drawing, steps = Panels(800, 360, 2, 1), values_of(found, 'projections')
     series = [(line(LOOKS[number]), [(candidates, cpu) for candidates, cpu, contacts in zip(*map(row['steps'].get, ('candidates', 'cpu_seconds', 'contacts')))
                                      if contacts > 0])
               for number, count in enumerate(steps) for row in chosen(found, projections=count, pivoting='single', seed=1)]
@@ -129,7 +129,7 @@ def share(key):
 
 
 def figure_8(found, file):
-    exponents, drawing = values_of(found, 'hurst'), Panels(800, 760, 2, 2, 70)
+    exponents, drawing = values_of(found, 'hurst'), Panels(800, 690, 2, 2)
 
     def series(rows, value):
         return [(h, *median_interval([value(r) for r in same])) for h in exponents if (same := chosen(rows, hurst=h))]
@@ -147,7 +147,7 @@ def figure_8(found, file):
         panel(column, 0, title, label, [(series(fft, value), LOOKS[0]), (series(love, value), LOOKS[1]),
                                         (series(fft, lambda r: value(r['diagonal'])), LOOKS[2])], log)
     for column, (of, title) in enumerate(((dense, 'dense products, NNLS'), (fft, 'FFT products, conjugate gradients'))):
-        panel(column, 1, 'time: ' + title, 'CPU time / that of the whole problem', [(series(of, share('cpu_seconds')), LOOKS[0]),
+        panel(column, 1, 'time: ' + title, 'CPU time / that of the whole', [(series(of, share('cpu_seconds')), LOOKS[0]),
                (series(of, lambda r: r['diagonal']['cpu_seconds'] / r['whole_cpu_seconds']), LOOKS[2]),
                (series(of, share('certified_cpu_seconds')), LOOKS[4])])
     drawing.draw(file, [('Algorithm 6, radius h δ, eq9', line(LOOKS[0])), ('the same, love', line(LOOKS[1])),
@@ -155,7 +155,7 @@ def figure_8(found, file):
 
 
 def figure_9(found, file):
-    drawing, radii = Panels(800, 430, 2, 1, 80), [entry['h'] for entry in found[0]['radii']]
+    drawing, radii = Panels(800, 350, 2, 1), [entry['h'] for entry in found[0]['radii']]
     x = (radii[0] - 0.1, radii[-1] + 0.1)
 
     def series(backend, value):
@@ -173,8 +173,7 @@ def figure_9(found, file):
 
 
 def figure_10(found, file):
-    legend, height = 160, 910
-    drawing, fitted = Panels(800, height, 2, 2, legend), 'lines lw 1 lc rgb "#888888" dt 1'
+    drawing, fitted = Panels(800, 680, 2, 2), 'lines lw 1 lc rgb "#888888" dt 1'
     profiles, spectra, density, entries = [], [], [], []
     for number, row in enumerate(found):
         rms, count = row['rms_height'], len(row['profile'])
@@ -192,16 +191,15 @@ def figure_10(found, file):
     drawing.panel(0, 0, 'height along the middle row', frame((0, 1), (-8 * len(found) + 2, 6), 'x / L', 'height / rms height, shifted by 8'), profiles)
     drawing.panel(1, 0, 'power spectral density', frame(around([1, 512]), around([max(density) * 1e-10, max(density)]), 'wave number q / lowest q',
                                                         'C q_1² / rms height²', 'xy'), spectra)
-    tics = ticks('x', [(row['surface'].replace('generated, ', ''), i) for i, row in enumerate(found)])
-    tics += f' rotate by 25 right font ",8" noenhanced\nset bmargin at screen {(legend + 80) / height}'
-    for column, (part, words) in enumerate(((5, '(max - mean)/5, the paper\'s'), (2, '(max - mean)/2'))):
+    tics = ticks('y', [(row['surface'].replace('generated, ', ''), i) for i, row in enumerate(found)]) + ' noenhanced\nset xtics 1e-4,100'
+    for column, part in enumerate((5, 2)):
         curves = []
         for number, (kind, look) in enumerate(FILTERS.items()):
-            points = [(i + 0.15 * (number - 1), max(percent_of(case), 1e-4)) for i, row in enumerate(found)
+            points = [(max(percent_of(case), 1e-4), i + 0.15 * (number - 1)) for i, row in enumerate(found)
                       for case in chosen(row['cases'], part=part, filter=kind)]
             curves.append(drawing.curve(points, f'points ps 1.4 {look}'))
-        drawing.panel(column, 1, f'as published, approach {words}',
-                      frame((-0.6, len(found) - 0.4), (1e-4, 200), '', '|error| of the load [%]', 'y', tics), curves)
+        drawing.panel(column, 1, f'as published, (max - mean)/{part}',
+                      frame((1e-4, 200), (len(found) - 0.4, -0.6), '|error| of the load [%]', '', 'x', tics), curves, 165)
     entries += [('fitted power law, times 4', fitted), *((f'coarse grids by {name}', f'points ps 1.4 {look}') for name, look in FILTERS.items())]
     drawing.draw(file, [(name.replace('_', ' '), look) for name, look in entries], 3)
 

@@ -106,8 +106,7 @@ def draw(document, file, panels):
     if not filled:
         return
     rows, names = (len(filled) + 1) // 2, [name for name in document['codes'] if any(name in curves for _, curves, _, _ in filled)]
-    legend = 20 + 22 * ((len(names) + 1) // 2)
-    drawing = Panels(800, legend + 320 * rows, 2, rows, legend)
+    drawing = Panels(800, 320 * rows, 2, rows)
     for number, (title, curves, x, label) in enumerate(filled):
         places = sorted({place for points in curves.values() for place, _ in points})
         named = ticks('x', [(f'{place}²' if x == 'n' else f'{place:g}', place) for place in places])

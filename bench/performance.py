@@ -72,7 +72,7 @@ def pictures(results, images):
     single = certified_rows(document, tol=1e-4, precision='single')
     areas = sorted({r['area_wanted'] for r in rows + single})
     hollow = 'points ps 1.5 lw 1.4 lc rgb "#555555"'
-    drawing = Panels(800, 830, 2, 2, 110)
+    drawing = Panels(800, 720, 2, 2)
 
     def curves(value, of=rows):
         result, families = [], groups(of, 'area_wanted', 'control')

@@ -205,13 +205,13 @@ def curve(document, key):
 
 
 def area_picture(document, file):
-    drawing = Panels(800, 430, 2, 1, 90)
+    drawing = Panels(800, 340, 2, 1)
     raw, corrected = curve(document, 'area'), curve(document, 'corrected_area')
-    drawing.panel(0, 0, 'contact area', axes(PRESSURE, 'contact area / nominal area', PRESSED, (0.005, 2), PLAIN, 1),
+    drawing.panel(0, 0, 'contact area', axes(PRESSURE, 'contact area / nominal area', PRESSED, (0.005, 2), PLAIN),
                   [f'erf(sqrt(2)*x) with {GREY}', f'(x < {1 / BUSH!r} ? {BUSH!r}*x : 1/0) with {DASHED}', drawing.curve(raw, hollow(1)),
                    drawing.curve(corrected, style(2))])
     spread = [(row['pressure'], *(row['corrected_ratio'][key] for key in ('mean', 'lowest', 'highest'))) for row in document['curve']]
-    drawing.panel(1, 0, 'area per pressure', axes(PRESSURE, 'A E* slope / F', PRESSED, (0, 3), LINEAR + 'set logscale x', 1),
+    drawing.panel(1, 0, 'area per pressure', axes(PRESSURE, 'A E* slope / F', PRESSED, (0, 3), LINEAR + 'set logscale x'),
                   [f'erf(sqrt(2)*x)/x with {GREY}', f'{BUSH!r} with {DASHED}', drawing.curve([(p, a / p) for p, a in raw], hollow(1)),
                    *drawing.bars(spread, style(2))])
     drawing.draw(file, [('cells in contact', hollow(1)), ('corrected; bars: all surfaces', style(2)), ('Persson, erf(√2 p)', GREY),
@@ -219,14 +219,14 @@ def area_picture(document, file):
 
 
 def gap_picture(document, file):
-    drawing, fits = Panels(800, 400, 2, 1, 60), document['fits']
+    drawing, fits = Panels(800, 340, 2, 1), document['fits']
     gaps = [(row['mean_gap'], row['pressure']) for row in document['curve']]
     u0 = fits['decay']['mean']
     inside = [(u, p) for u, p in gaps if fits['from'] <= p <= fits['to']]
     beta = math.exp(sum(math.log(p) + u / u0 for u, p in inside) / len(inside))
-    drawing.panel(0, 0, 'pressure against mean gap', axes('mean gap / rms height', PRESSURE, (0, '*'), (0.002, 3), LINEAR + 'set logscale y', 1),
+    drawing.panel(0, 0, 'pressure against mean gap', axes('mean gap / rms height', PRESSURE, (0, '*'), (0.002, 3), LINEAR + 'set logscale y'),
                   [f'{beta!r}*exp(-x/{u0!r}) with {GREY}', drawing.curve(gaps, style(2))])
-    drawing.panel(1, 0, 'contact stiffness', axes(PRESSURE, 'K rms height / (E* rms slope A0)', PRESSED, FREE, 'set logscale xy\n' + PLAIN, 1.5),
+    drawing.panel(1, 0, 'contact stiffness', axes(PRESSURE, 'K rms height / (E* rms slope A0)', PRESSED, FREE, 'set logscale xy\n' + PLAIN),
                   [f'x/{fits["stiffness_decay"]["mean"]!r} with {DASHED}', drawing.curve(curve(document, 'stiffness'), style(1))])
     drawing.draw(file, [('mean gap', style(2)), ('exponential fit', GREY), ('stiffness of the last step', style(1)),
                         ('proportional to the load', DASHED)], 2)
@@ -246,7 +246,7 @@ def patch_density(document, rows):
 
 
 def distribution_picture(document, file):
-    drawing, hurst = Panels(800, 450, 2, 1, 90), document['surface']['hurst']
+    drawing, hurst = Panels(800, 360, 2, 1), document['surface']['hurst']
     patches, pressures, entries = [], [], []
     shown = [row for row in solved(document['rows']) if row['n'] == document['surface']['points'] and 'patch_octaves' in row]
     for number, ((pressure,), rows) in enumerate(sorted(groups(shown, 'pressure').items())):
@@ -264,12 +264,12 @@ def distribution_picture(document, file):
     drawing.panel(0, 0, 'patch sizes',
                   axes('area of a patch / λ_s²', 'patches per area / (A0 / λ_s⁴)', FREE, FREE, 'set format "10^{%T}"'), patches)
     drawing.panel(1, 0, 'pressures (hollow), Persson (lines)',
-                  axes('pressure / (E* rms slope)', 'density over all points', (0, 2), (0, '*'), LINEAR, 1), pressures)
+                  axes('pressure / (E* rms slope)', 'density over all points', (0, 2), (0, '*'), LINEAR), pressures)
     drawing.draw(file, entries + [(f'area^{{-(2-H/2)}}, H = {hurst:g}', DASHED)], 2)
 
 
 def mesh_picture(document, file):
-    drawing = Panels(800, 420, 2, 1, 80)
+    drawing = Panels(800, 340, 2, 1)
     areas, errors, entries = [f'1 with {GREY}'], [], []
     for number, ((pressure,), rows) in enumerate(groups(document['meshes'], 'pressure').items(), 1):
         limit = rows[-1]['area'] / (1 + rows[-1]['raw_error'])
@@ -278,21 +278,21 @@ def mesh_picture(document, file):
             errors.append(drawing.curve([(row['cells_a_wave'], 100 * max(abs(row[error]), 1e-6)) for row in rows], look))
             entries.append((f'{"cells" if key == "area" else "corrected"}, p = {pressure:g} E* slope', look))
     drawing.panel(0, 0, 'area against cell size',
-                  axes('cell size / shortest wave', 'area / area at cell size 0', (0, '*'), FREE, LINEAR, 1), areas)
+                  axes('cell size / shortest wave', 'area / area at cell size 0', (0, 0.27), FREE, LINEAR), areas)
     drawing.panel(1, 0, 'error of the area', axes('cells in the shortest wave', 'error [%]', (3, 90), FREE,
-                                                  'set logscale xy\nset format "%g"\nset xtics (4,8,16,32,64)', 1), errors)
+                                                  'set logscale xy\nset format "%g"\nset xtics (4,8,16,32,64)'), errors)
     drawing.draw(file, entries, 2)
 
 
 def hardness_picture(document, file):
-    drawing, areas, capped = Panels(800, 430, 2, 1, 80), [f'x with {DASHED}'], []
+    drawing, areas, capped = Panels(800, 350, 2, 1), [f'x with {DASHED}'], []
     for number, ((hardness,), rows) in enumerate(groups(document['hard'], 'hardness').items()):
         theory = [(x, *persson_capped(hardness * x, hardness)) for x in np.geomspace(0.01, 0.999, 100).tolist()]
         for panel, key, line in ((areas, 'area', [(x, a) for x, a, _ in theory]), (capped, 'capped', [(x, c / a) for x, a, c in theory])):
             panel += [drawing.curve([(row['share'], row[key]) for row in rows], hollow(number)), drawing.curve(line, f'lines lw 1.4 {colour(number)} dt 1')]
     at = 'mean pressure / hardness'
-    drawing.panel(0, 0, 'contact area', axes(at, 'contact area / nominal area', (0.01, 1), (0.01, 1), PLAIN, 1), areas)
-    drawing.panel(1, 0, 'at the hardness', axes(at, 'part of the contact', (0, 1), (0, 1), LINEAR, 1), capped)
+    drawing.panel(0, 0, 'contact area; lines: Persson', axes(at, 'contact area / nominal area', (0.01, 1), (0.01, 1), PLAIN), areas)
+    drawing.panel(1, 0, 'at the hardness; lines: Persson', axes(at, 'part of the contact', (0, 1), (0, 1), LINEAR), capped)
     drawing.draw(file, [*((f'hardness = {value:g} E* slope', hollow(k)) for k, value in enumerate(HARDNESSES)), ('F / hardness', DASHED)], 2)
 
 

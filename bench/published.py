@@ -286,7 +286,7 @@ LINEAR = 'unset logscale\nset format "%g"\nset xtics autofreq\nset ytics autofre
 
 
 def forms_picture(document, file):
-    drawing, curves, entries = Panels(800, 500, 1, 1, 180), [], []
+    drawing, curves, entries = Panels(800, 320, 1, 1), [], []
     for number, form in enumerate(forms.FORMS):
         points = [(row['n'], abs(row['error_of'])) for row in document['forms'] if row['title'] == form.title]
         curves.append(drawing.curve(points, style(number)))
@@ -298,7 +298,7 @@ def forms_picture(document, file):
 
 
 def crossing_picture(document, file):
-    drawing, curves, entries = Panels(600, 400, 1, 1, 60), [f'{CRITICAL},t with {GREY}'], []
+    drawing, curves, entries = Panels(600, 340, 1, 1), [f'{CRITICAL},t with {GREY}'], []
     coarse = [row for row in document['crossing'] if row['n'] == document['crossing'][0]['n']]
     for number, ((hurst,), rows) in enumerate(groups(coarse, 'hurst').items(), 1):
         values = sorted(row[axis] for row in rows for axis in 'xy')
@@ -310,7 +310,7 @@ def crossing_picture(document, file):
 
 
 def area_picture(document, file):
-    drawing, rows = Panels(800, 460, 2, 1, 110), list(atlas_rows(document))
+    drawing, rows = Panels(800, 350, 2, 1), list(atlas_rows(document))
     at = np.geomspace(0.003, 1.2, 60).tolist()
     line = 'lines lw 1.6 ' + STYLES[4].rsplit(' pt', 1)[0]
     weights = (lambda area: 1, GREY), (rough.wang_mueser, DASHED)
@@ -318,7 +318,7 @@ def area_picture(document, file):
     for key, look in (('theirs', hollow(1)), ('area', hollow(2)), ('corrected', style(2))):
         curves.append(drawing.curve([(row['pressure'], row[key] / row['pressure']) for row in rows], look))
     ratio = 'A E* slope / F'
-    settings = axes('mean pressure / (E* rms slope)', ratio, (0.003, 1.2), (0.6, 2.6), LINEAR + 'set logscale x', 1)
+    settings = axes('mean pressure / (E* rms slope)', ratio, (0.003, 1.2), (0.6, 2.6), LINEAR + 'set logscale x')
     drawing.panel(0, 0, 'area per pressure', settings, curves)
     breadth = list(breadth_rows(document))
     curves, entries = [], [('Persson', GREY), ('Wang, Müser 2017', DASHED), ('published areas', hollow(1)), ('ours, cells counted', hollow(2)),
@@ -329,22 +329,24 @@ def area_picture(document, file):
     for number, ((hurst,), found) in enumerate(groups(breadth, 'hurst').items()):
         curves.append(drawing.curve([(row['nayak'], row['at_0_02']) for row in found], hollow(3 + 2 * number)))
         entries.append((f'ours, H = {hurst:g}', hollow(3 + 2 * number)))
-    settings = axes('Nayak parameter α', ratio, (1, 100), (1.5, 2.6), LINEAR + 'set logscale x', 1)
+    settings = axes('Nayak parameter α', ratio, (1, 100), (1.5, 2.6), LINEAR + 'set logscale x')
     drawing.panel(1, 0, 'at p = 0.02 E* slope', settings, curves)
     drawing.draw(file, entries, 3)
 
 
 def challenge_picture(document, file):
-    drawing, found = Panels(1150, 400, 3, 1, 60), document['distributions'][-1]
+    drawing, found = Panels(800, 640, 2, 2), document['distributions'][-1]
     width, wide = rough.HIGHEST / rough.BINS, rough.WIDEST / rough.GAP_BINS
-    drawing.panel(0, 0, 'pressures at 250 kPa', axes('pressure / (E* slope)', 'density', (0, rough.HIGHEST), (0, 0.035), LINEAR, 1), [
+    settings = axes('pressure / (E* slope)', 'density', (0, rough.HIGHEST), (0, 0.035), LINEAR + 'set ytics 0.01')
+    drawing.panel(0, 0, 'pressures at 250 kPa', settings, [
         drawing.curve([((k + 0.5) * width, value) for k, value in enumerate(found['pressures'])], style(2)), drawing.curve(DENSITY, hollow(1))])
-    drawing.panel(1, 0, 'open gaps', axes('gap / rms height', 'density', (0, rough.WIDEST), (0, '*'), LINEAR, 1), [
+    drawing.panel(1, 0, 'open gaps', axes('gap / rms height', 'density', (0, rough.WIDEST), (0, '*'), LINEAR), [
         drawing.curve([((k + 0.5) * wide, value) for k, value in enumerate(found['gaps'])], style(2))])
     wave = found['n'] / 1000  # cells in the shortest
     patches = [(2**k * math.sqrt(2 - 1 / 2**k) / wave**2, count) for k, count in enumerate(found['patch_octaves']) if count]
-    drawing.panel(2, 0, 'patches', axes('area / (shortest wave)²', 'patches per octave', ('*', '*'), ('*', '*'), PLAIN), [
-        drawing.curve(patches, style(2))])
+    wide = PLAIN + 'set format x "10^{%T}"\nset rmargin at screen 0.9775'
+    settings = axes('area / (shortest wave)²', 'patches per octave', ('*', '*'), ('*', '*'), wide)
+    drawing.panel(0, 1, 'patches', settings, [drawing.curve(patches, style(2))])
     drawing.draw(file, [('ours', style(2)), ('Wang, Müser 2017, Figure 2', hollow(1))], 2)
 
 

@@ -108,7 +108,7 @@ def pictures(results, images):
     rows = good(document, 'simulated')
     if not rows:
         return
-    drawing, simulated, entries = Panels(480, 470, 1, 1, 130), [], []
+    drawing, simulated, entries = Panels(480, 340, 1, 1), [], []
     series = groups(sorted(rows, key=lambda row: row['ranks']), 'network', 'n')
     series = {key: same for key, same in series.items() if len(same) > 1}
     for number, ((network, n), same) in enumerate(sorted(series.items())):

@@ -13,6 +13,7 @@ from .quantities import prefix_for
 from .wording import status
 
 RED, BLUE, BLACK = "#e6002e", "#3070c0", "#303030"
+LOG: Dict[str, Any] = {"type": "log", "tickformat": "~g", "nticks": 4}  # each tick with its whole number: 20, not a small 2
 SPREAD = 30  # loads whose largest is that many times the least have a logarithmic axis
 
 
@@ -74,9 +75,9 @@ class Figures:
         )
         figure = self._figure([points, *others], f"load [{force[1]}N]", f"{name} [{factor[1]}{unit}]")
         if self.spread:
-            figure.update_xaxes(type="log")
+            figure.update_xaxes(LOG)
             if y_log:
-                figure.update_yaxes(type="log")
+                figure.update_yaxes(LOG)
         return figure
 
     @property
@@ -165,7 +166,7 @@ class Figures:
         ]
         told = f"Contact law of {info['nodes']} nodes, nominal pressure within {100 * info['width']:.2g} %, and the steps of the table."
         labels = f"overclosure [{metre}m]", f"nominal pressure [{pascal}Pa]"
-        figure = self._figure(traces, *labels, xaxis_type="log", yaxis_type="log")
+        figure = self._figure(traces, *labels, xaxis=LOG, yaxis=LOG)
         return Figure("law", "Pressure against overclosure", told, figure)
 
     def _map(self, values: Doubles, unit: str, name: str, colours: Any, **how: Any) -> Any:
@@ -254,7 +255,7 @@ class Figures:
             hovertemplate="about %{x:.3g} µm²: %{y} patches<extra></extra>",
         )
         told = f"{len(areas)} connected parts in the last step; the largest has {100 * areas.max() / areas.sum():.3g} % of the contact."
-        figure = self._figure([bars], "area of a patch [µm²], by factors of two", "patches", xaxis_type="log", yaxis_type="log")
+        figure = self._figure([bars], "area of a patch [µm²], by factors of two", "patches", xaxis=LOG, yaxis=LOG)
         return Figure("patches", "Sizes of contact patches", told, figure)
 
     def spectrum(self) -> Optional[Figure]:
@@ -281,7 +282,7 @@ class Figures:
                     x=q, y=law.prefactor * q**law.slope, mode="lines", name=name, line={"color": BLACK, "dash": "dash"}
                 )
             )
-        figure = self._figure(traces, "wave number [1/m]", "power spectral density [m⁴]", xaxis_type="log", yaxis_type="log")
+        figure = self._figure(traces, "wave number [1/m]", "power spectral density [m⁴]", xaxis=LOG, yaxis=LOG)
         figure.update_layout(legend={"x": 0.02, "y": 0.04})
         return Figure("spectrum", "Spectrum", "Radial average; wave numbers are 2π over the wavelength.", figure)
 
