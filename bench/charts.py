@@ -86,7 +86,7 @@ class Panels:
 
     def draw(self, file, entries, columns):
         width, height = self.size
-        columns = min(columns, max(1, int(0.9 * width / (60 + 9 * max(len(name) for name, _ in entries)))))  # gnuplot's widths
+        columns = min(columns, max(1, int(0.95 * width / (60 + 9 * max(len(name) for name, _ in entries)))))  # gnuplot's widths
         legend = 16 + 23 * math.ceil(len(entries) / columns)
         height += legend
         self.script.append(LEGEND.format(top=legend / height, below=(legend - 6) / height, columns=columns,
