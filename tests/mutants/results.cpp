@@ -90,6 +90,7 @@ std::int32_t product_of(const double* x, double* y, std::int64_t n, void* diagon
 // What an earlier result left in a struct.
 void spoil(rc_result& r) {
   r.seconds = r.setup_seconds = -5;
+  r.levels = -5;
   r.reserved = 5;
   r.points = -5;
   r.load_lower = r.load_upper = r.duality_gap = r.area_lower = r.area_upper = -5;

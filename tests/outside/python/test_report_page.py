@@ -70,7 +70,11 @@ def test_a_law_is_shown_with_the_steps(tmp_path):
     law.save(tmp_path / "a.law")
     page = written(tmp_path, (32, 32), "--pressure", "500MPa,600MPa", "--law", str(tmp_path / "a.law"))
     lower, upper, line, steps = json.loads(unpacked(page, "figures"))["law"]["data"]
-    assert 'id="law"' in page and len(line["x"]) == 200 and steps["name"] == "steps" and len(steps["x"]) == 2
+
+    def count(values):  # plotly may write an array of doubles as base64
+        return len(base64.b64decode(values["bdata"])) // 8 if isinstance(values, dict) else len(values)
+
+    assert 'id="law"' in page and count(line["x"]) == 200 and steps["name"] == "steps" and count(steps["x"]) == 2
 
 
 def test_the_documented_command(tmp_path, monkeypatch):
