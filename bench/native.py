@@ -49,7 +49,7 @@ def time_products(system, gap, approach, backend='auto', threads=1, budget=0.3, 
 
 
 def time_passes(points, share, budget, count):
-    """(seconds, bytes) of `count` passes over so many points, a share of them in contact."""
+    """(seconds, bytes) of each of `count` passes. points: unknowns; share: the part of them that is in contact."""
     seconds, moved = np.empty(count), np.empty(count)
     _call('time_passes', points, float(share), float(budget), seconds, moved)
     return seconds, moved

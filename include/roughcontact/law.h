@@ -10,9 +10,10 @@
  *   others                x = change of the mean gap, or approach - load / (a given stiffness), see rc_law_spec.bulk.
  *
  * Bounds. If the contact sets of two neighbouring nodes are nested, p is convex between them: it lies above both tangents and
- * below the chord (RC_LAW_CONVEX). With a hardness the slope lies between those of two contact sets (RC_LAW_SLOPES). Otherwise p
- * is only known to rise from one node to the next (RC_LAW_MONOTONE). The library checks at the nodes that the sets grow from one
- * node to the next, and assumes it in between. Bounds are widened by the intervals that are proven at the nodes
+ * below the chord (RC_LAW_CONVEX). With a hardness the slope lies between those of two contact sets (RC_LAW_SLOPES). The bounds
+ * of p then also need an inverse of H without positive entries off its diagonal, which is assumed of kernels other than love.
+ * Otherwise p is only known to rise from one node to the next (RC_LAW_MONOTONE). The library checks at the nodes that the sets
+ * grow from one node to the next, and assumes it in between. Bounds are widened by the intervals that are proven at the nodes
  * (rc_result.load_lower .. stiffness_upper). They hold for the discrete problem: this grid, this kernel.
  *
  * Between the nodes p is a C1 quadratic spline with one knot in each interval, where the tangents meet. It has the nodes'

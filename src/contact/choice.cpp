@@ -18,7 +18,8 @@ namespace {
 constexpr double worth_opening = 7.5e-5;
 constexpr double usual_products = 100;  // of a solver that does not say what it costs
 
-// Of the grid, for contact at few of them. On smaller grids the estimate costs more than it saves.
+// The least points of a grid on which contact at few points is solved there alone. On smaller grids the estimate takes more time
+// than it saves.
 constexpr std::int64_t least_dilute_points = 512 * 512, least_dilute_of_period = 256 * 256;
 // The choice for sparse contact is made before the unknowns are known: it assumes at most this many.
 constexpr std::int64_t most_few = 1 << 24;
