@@ -117,7 +117,9 @@ std::string columns(const Law& law, const std::vector<LawRow>& rows, const Units
 }
 
 std::string pressure_cards(const Law& law, const std::vector<LawRow>& rows, const Units& units, const rc_law_export_spec& spec) {
-  const char* const proof = law.info.bounds == RC_LAW_MONOTONE ? "estimated" : "proven";
+  const char* const proof = law.info.bounds == RC_LAW_CONVEX   ? "proven"
+                            : law.info.bounds == RC_LAW_SLOPES ? "proven if the kernel is love"
+                                                               : "estimated";
   std::string text =
       join("** roughcontact: ", rows.size(), " rows; straight lines between them are within ", in_digits(spec.error, 2),
            " of the law,\n** the law within ", in_digits(law.info.width, 2), " of the patch (", proof, ")\n");

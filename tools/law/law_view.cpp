@@ -28,7 +28,7 @@ std::string bounds_name(int32_t bounds) {
 std::string proof_of(const rc_law_info& info) {
   const std::string width = "p within " + percent(info.width);
   if (info.bounds == RC_LAW_CONVEX) return width + ", proven: convex between nodes";
-  if (info.bounds == RC_LAW_SLOPES) return width + ", proven: by slopes between nodes";
+  if (info.bounds == RC_LAW_SLOPES) return width + ", by slopes between nodes: proven if the kernel is love";
   return width + " where it is proven; p only rises between some nodes";
 }
 
