@@ -17,7 +17,8 @@ rc_component component(const char* name, const char* summary, const char* licens
 }
 
 void check_index(std::int64_t i, std::size_t count) {
-  if (i < 0 || i >= static_cast<std::int64_t>(count)) fail(RC_ERR_ARGUMENT, "i = ", i, " is outside 0 .. ", count, " - 1");
+  if (i < 0 || i >= static_cast<std::int64_t>(count))
+    fail(RC_ERR_ARGUMENT, "i = ", i, ": there are ", count, ", numbered from 0");
 }
 
 template <class List> std::int64_t count_of(const char* where, const List& list) {

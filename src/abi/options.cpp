@@ -96,7 +96,8 @@ rc_status rc_options_describe(rc_context* context, int64_t i, rc_option_spec* ou
   return guard("rc_options_describe", [&] {
     check_size(out, "rc_option_spec");
     const auto all = context_of(context)->options();
-    if (i < 0 || i >= static_cast<int64_t>(all.size())) fail(RC_ERR_ARGUMENT, "i = ", i, " is outside 0 .. ", all.size(), " - 1");
+    if (i < 0 || i >= static_cast<int64_t>(all.size()))
+      fail(RC_ERR_ARGUMENT, "i = ", i, ": there are ", all.size(), " options, numbered from 0");
     const OptionSpec& spec = *all[static_cast<std::size_t>(i)];
     write(out, rc_option_spec{sizeof(rc_option_spec), spec.key.c_str(), spec.default_value.c_str(),
                               spec.choices.empty() ? nullptr : spec.choices_text.c_str(), spec.help.c_str(), spec.type,

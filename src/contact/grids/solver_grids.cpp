@@ -125,7 +125,7 @@ std::int64_t SolverGrids::current() const {
 void SolverGrids::describe(std::int64_t i, rc_level& out) const {
   const std::int64_t count = current();
   if (i < 0 || i >= count)
-    fail(RC_ERR_ARGUMENT, "level ", i, " is not in 0 .. ", count - 1, ": the last step left ", count, " coarse solutions");
+    fail(RC_ERR_ARGUMENT, "level = ", i, ": the last step left ", count, " coarse solutions, numbered from 0");
   for (const auto& [points, level] : levels_) {
     if (!level.current || i-- > 0) continue;
     double* const p = out.p;

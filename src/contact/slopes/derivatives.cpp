@@ -95,9 +95,10 @@ class Linearised {
         before_(problem.operators().spent().products),
         set_(problem, memory.last) {
     if (last_.certified == 0)
-      fail(RC_ERR_ARGUMENT,
-           "the last step on the given grid did not return RC_OK, or there was none since the contact was made, ",
-           "reset or restored: only a certified step has derivatives");
+      fail(
+          RC_ERR_ARGUMENT,
+          "only a certified step has derivatives: solve one first that returns RC_OK on the given grid (contacts that were just ",
+          "made, reset or restored have none)");
     if (by_load() && set_.loaded().empty())
       fail(RC_ERR_ARGUMENT, "the load is 0: no point carries pressure, so that the approach has no derivative; give a load > 0");
     if (by_load() && set_.n() == 0)

@@ -118,8 +118,7 @@ template <class Spoil> auto conductance(const Spoil& spoil) {
 Section derivatives() {
   const rc_status refused = RC_ERR_ARGUMENT;
   const char* const not_certified =
-      "rc_contact_gradient: the last step on the given grid did not return RC_OK, or there was none since the contact was made, "
-      "reset or restored";
+      "rc_contact_gradient: only a certified step has derivatives: solve one first that returns RC_OK on the given grid";
   return {
       "Derivatives and conductance",
       {

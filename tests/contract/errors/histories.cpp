@@ -212,11 +212,11 @@ Section paths() {
                [] { return rc_contact_level(made(Scene()).get(), 0, nullptr); }},
               {"level of a contact that solved nothing",
                refused,
-               {"rc_contact_level: level 0 is not in 0 .. -1: the last step left 0 coarse solutions"},
+               {"rc_contact_level: level = 0: the last step left 0 coarse solutions"},
                [] { return level_after(false, 0); }},
               {"level of a solver without levels",
                refused,
-               {"rc_contact_level: level 0 is not in 0 .. -1"},
+               {"rc_contact_level: level = 0: the last step left 0"},
                [] { return level_after(true, 0); }},
               {"`rc_contact_points`: contact is null",
                refused,
@@ -247,7 +247,10 @@ Section paths() {
                refused,
                {"rc_contact_explain: out is null"},
                [] { return rc_contact_explain(made(Scene()).get(), nullptr); }},
-              {"level -1", refused, {"rc_contact_level: level -1 is not in 0 .. -1"}, [] { return level_after(true, -1); }},
+              {"level -1",
+               refused,
+               {"rc_contact_level: level = -1: the last step left 0 coarse solutions, numbered from 0"},
+               [] { return level_after(true, -1); }},
           }};
 }
 

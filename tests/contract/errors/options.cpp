@@ -162,7 +162,7 @@ Section options() {
            })},
           {"option number out of range",
            RC_ERR_ARGUMENT,
-           {"rc_options_describe: i = -1 is outside 0 .. "},
+           {"rc_options_describe: i = -1: there are "},
            [] {
              rc_option_spec spec{};
              spec.struct_size = sizeof spec;
@@ -341,7 +341,7 @@ Section names() {
            }},
           {"component number out of range",
            RC_ERR_ARGUMENT,
-           {"rc_kernel_describe: i = 99 is outside 0 .. 6 - 1"},
+           {"rc_kernel_describe: i = 99: there are 6, numbered from 0"},
            [] {
              rc_component component{};
              component.struct_size = sizeof component;

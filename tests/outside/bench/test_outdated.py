@@ -41,9 +41,11 @@ with tempfile.TemporaryDirectory() as folder:
     first = commit(('src/a.cpp', 'int a;\n'), ('docs/other.md', 'No numbers.\n'))
     commit(page(f'roughcontact 0.1.0 ({first}); 2026-01-01.'), page(f'On a device, commit {first}; more.', 'docs/development/device.md'))
     assert outdated(folder) == [], outdated(folder)
-    commit(('include/b.h', ''), ('backends/c.cpp', ''))
+    commit(('src/a.cpp', '/* why\n*/ int a;  // "one"\n'), ('backends/README.md', 'Words.\n'))
+    assert outdated(folder) == [], outdated(folder)
+    commit(('include/b.h', 'int b;\n'), ('backends/c.cpp', 'auto c = "// ";\n'))
     commit(('src/a.cpp', 'int b;\n'))
-    assert outdated(folder) == [f'{name}: {first}: 3 files of src, backends, include differ, by 2 commits'
+    assert outdated(folder) == [f'{name}: {first}: 3 files of src, backends, include differ, by 3 commits'
                                 for name in ('docs/page.md', 'docs/development/device.md')], outdated(folder)
     now = git('rev-parse', '--short=12', 'HEAD')
     commit(page(f'roughcontact 0.1.0 ({now}-dirty)'), page('commit 0123456789ab', 'docs/development/device.md'), page('Of some day.', 'docs/third.md'))
