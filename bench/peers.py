@@ -19,7 +19,7 @@ from peers_codes import CODES, LARGEST_MATRIX, LEVELS, cases, write_surface
 from peers_report import best, print_case, total
 from samples import chosen, columns
 from json_tables import load
-from store import Store
+from store import Store, processor
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 SHOWN = ('tol', 'setup_seconds', 'solve_seconds', 'other_cores', 'products', 'start_bytes', 'peak_bytes', 'residual')  # of a run
@@ -140,7 +140,7 @@ class Bench:
     def measured(self, name, key):
         """Whether a group need not be measured again."""
         group = self.store.find('groups', {'case': key, 'code': name})
-        return (not self.request.again and group and group['threads'] == self.threads and
+        return (not self.request.again and group and group['threads'] == self.threads and group.get('cpu') == processor() and
                 group['digest'] == self.store.document['cases'][key]['digest'] and
                 (CODES[name].family != 'ours' or group['library'] == self.store.library) and
                 not ('limit' in group['stopped'] and group['limit'] < self.request.limit))
@@ -149,7 +149,7 @@ class Bench:
         """A problem of the same family, with no more points and contact, on which even the loosest tolerance was over the limit."""
         for group in self.store.document['groups']:
             known = self.store.document['cases'][group['case']]
-            if (group['code'] == name and group['case'] != case.key and known['n'] <= case.n and group['limit'] >= self.request.limit and
+            if (group['code'] == name and group.get('cpu') == processor() and group['case'] != case.key and known['n'] <= case.n and group['limit'] >= self.request.limit and
                     not group['runs'] and 'limit' in group['stopped'] and
                     (known['surface'], known['boundary'], known['control']) == (case.surface, case.boundary, case.control) and
                     known['percent'] <= case.percent):
@@ -159,7 +159,7 @@ class Bench:
     def run_case(self, case):
         """First a sweep of tolerances, then repeats of the runs that matter; the codes take turns in both."""
         names, problem = [name for name in case.codes() if name in self.usable], self.problem(case)
-        groups = {name: {'threads': self.threads, 'limit': self.request.limit, 'digest': problem['digest'],
+        groups = {name: {'threads': self.threads, 'cpu': processor(), 'limit': self.request.limit, 'digest': problem['digest'],
                          'library': self.store.library if CODES[name].family == 'ours' else '',
                          'runs': [], 'stopped': self.too_slow_before(name, case)}
                   for name in names if not self.measured(name, case.key)}
@@ -273,8 +273,8 @@ def run(request):
         python = sys.executable if request.here else install()
         sys.stdout.flush()
         os.execve(program, [program, *sys.argv[1:], *([] if request.here else ['--here'])], {**os.environ, **variables, 'PYTHON': python})
-    request.limit = request.limit or (10 if request.quick or request.scenes else 60)
-    request.repeats = request.repeats or (2 if request.quick else 3)
+    request.limit = request.limit or (10 if request.quick or request.scenes else 20)
+    request.repeats = request.repeats or 2
     with tempfile.TemporaryDirectory() as folder:
         request.work = request.work or folder
         if request.scenes:
@@ -294,7 +294,7 @@ question('peers', 'side by side with the standard method and other codes', run, 
     'only': (code_names, [], 'codes; a first word takes its variants: ' + ', '.join(CODES)),
     'sizes': (listed(int), [], f'points a side; up to {LARGEST_MATRIX} points in all: the dense codes'),
     'percents': (listed(float), [], 'contact areas'), 'threads': (int, 2, 'threads'),
-    'repeats': (int, 0, f'of solves below {REPEATED} s; 0: 3, quick 2'), 'limit': (float, 0, 'seconds for one run; 0: 60, quick 10'),
+    'repeats': (int, 0, f'of solves below {REPEATED} s; 0: 2'), 'limit': (float, 0, 'seconds for one run; 0: 20, quick 10'),
     'again': (bool, False, 'measure the chosen codes and problems anew, keep the others'),
     'work': (str, '', 'folder for surfaces and pressures; a temporary one'),
     'here': (bool, False, 'with the packages of this Python: installs nothing'),

@@ -12,11 +12,16 @@ from json_tables import lines, read, rounded
 from samples import chosen, fits
 
 
+def processor():
+    with open('/proc/cpuinfo') as info:
+        return next((line.split(':', 1)[1].strip() for line in info if line.startswith('model name')), 'unknown')
+
+
 def library_hash():
-    """Of the library and its plugins: what the same bytes have measured need not be measured again."""
+    """Of the library, its plugins and the kind of processor: what the same bytes have measured there need not be measured again."""
     library = os.path.realpath(roughcontact.library_file())
     files = [os.path.join(folder, name) for folder, _, names in os.walk(os.path.join(os.path.dirname(library), 'roughcontact')) for name in names]
-    digest = hashlib.blake2b(digest_size=8)
+    digest = hashlib.blake2b(processor().encode(), digest_size=8)
     for file in [*sorted(files), library]:
         with open(file, 'rb') as content:
             digest.update(content.read())
@@ -27,11 +32,9 @@ def provenance(threads):
     compiler, flags, fftw = native.build()
     with open(os.path.join(os.environ['RC_BENCH_BUILD'], 'commit'), encoding='utf-8') as text:
         commit = text.read().strip()
-    with open('/proc/cpuinfo') as info:
-        cpu = next((line.split(':', 1)[1].strip() for line in info if line.startswith('model name')), 'unknown')
     return {'date': time.strftime('%Y-%m-%dT%H:%M:%SZ', time.gmtime()), 'version': '.'.join(map(str, roughcontact.version())),
             'commit': commit, 'library': library_hash(), 'compiler': compiler, 'flags': flags, 'fftw': fftw,
-            'cpu': cpu, 'threads': threads, 'load_average_at_start': os.getloadavg()[0]}
+            'cpu': processor(), 'threads': threads, 'load_average_at_start': os.getloadavg()[0]}
 
 
 class Store:

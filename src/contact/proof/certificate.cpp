@@ -46,8 +46,8 @@ Certificate certify(const StepSurface& surface, double compression, const Deflec
         part.worst = std::max(part.worst, complementarity_violation(gap, p[k], largest_p, hardness, scale));
       });
   if (!finite) {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    return {nan, nan, nan, 0};
+    const double unknown = std::numeric_limits<double>::quiet_NaN();
+    return {unknown, unknown, unknown, 0};
   }
   return {primal_violation(least_p, largest_p, hardness), overlap, worst, 0};
 }
