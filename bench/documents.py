@@ -77,7 +77,7 @@ def measure_performance(remake):
         remake.once(command, *options)
     remake.run('scaling', '--sizes', '1024,2048,4096,8192,16384', '--percents', '0.04,10', '--precision', 'single', '--tol', '1e-4', *single)
     remake.run('scaling', '--sizes', '8192,16384', '--percents', '0.1,10', *single)
-    remake.run('peers', '--only', 'ours,baseline', '--sizes', '512,1024,2048,4096', '--percents', '10')
+    remake.run('peers', '--only', 'ours,baseline', '--sizes', '512,1024,2048', '--percents', '10', '--limit', '100')
 
 
 def measure_paper(remake):
