@@ -15,9 +15,12 @@
  *     derivatives.h  gradients and tangents of a step
  *     analysis.h   area, patches, pressures and conductance of a contact
  *     law.h        contact laws: tables that are proven between their nodes
+ *     product.h    u = H p for pressures of any sign
  *     direct.h     the paper's algorithms on a matrix, one call each
  *     registry.h   contexts, lists of components and options
- *     plugin.h     backends and solvers of your own           surface.h   generated surfaces, spectra (a library of its own)
+ *     plugin.h     backends and solvers of your own
+ * and those of libraries of their own: surface.h (generated surfaces, spectra), formats.h (files of surfaces), mpi.h and ranks.h
+ * (contacts shared by ranks).
  *
  * Conventions
  *   pressure        force / length^2                   approach, gap    length
@@ -26,9 +29,9 @@
  *   any consistent set of units: answers do not depend on which
  *
  * Every function that can fail returns an rc_status: 0 (RC_OK) is a *certified* solution, positive values are usable but not
- * certified answers, negative values are failed calls. The text of the last failure in the calling thread is rc_last_error(). The
- * library never prints, exits, aborts, throws across this interface or installs a signal handler. The caller owns every array;
- * the library keeps none beyond what is stated.
+ * certified answers (unless the function says otherwise), negative values are failed calls. The text of the last failure in the
+ * calling thread is rc_last_error(). The library never prints, exits, aborts, throws across this interface or installs a signal
+ * handler. The caller owns every array; the library keeps none beyond what is stated.
  *
  * Floating point: every function computes in the default mode (no traps, rounding to nearest, subnormal numbers) and then restores
  * the calling thread's mode and exception flags. The caller's own functions (apply, progress, log) run in the default mode.
