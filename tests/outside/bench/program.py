@@ -9,7 +9,7 @@ BUILD = sys.argv[1]
 PROGRAM = os.path.join(BUILD, 'bin', 'roughcontact-bench')
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..', '..', 'bench'))
 
-if 'ROUGHCONTACT_LIBRARY' not in os.environ:  # the test runs in the program's environment
+if 'RC_BENCH_BUILD' not in os.environ:  # the test runs in the program's environment
     with open(PROGRAM) as launcher:
         start = launcher.read().split('\nexec ')[0]
     os.execvp('sh', ['sh', '-c', f'{start}\nexec {sys.executable} -B {os.path.abspath(sys.argv[0])} {" ".join(sys.argv[1:])}'])
