@@ -149,7 +149,8 @@ class Bench:
         """A problem of the same family, with no more points and contact, on which even the loosest tolerance was over the limit."""
         for group in self.store.document['groups']:
             known = self.store.document['cases'][group['case']]
-            if (group['code'] == name and group.get('cpu') == processor() and group['case'] != case.key and known['n'] <= case.n and group['limit'] >= self.request.limit and
+            if (group['code'] == name and group.get('cpu') == processor() and group['case'] != case.key and known['n'] <= case.n and
+                    group['limit'] >= self.request.limit and
                     not group['runs'] and 'limit' in group['stopped'] and
                     (known['surface'], known['boundary'], known['control']) == (case.surface, case.boundary, case.control) and
                     known['percent'] <= case.percent):
