@@ -22,6 +22,8 @@ os.environ.setdefault('ROUGHCONTACT_LIBRARY', os.path.join(BUILD, 'lib', 'librou
 sys.path.insert(1, os.path.join(ROOT, 'bindings', 'python'))
 
 import roughcontact as rc  # after its place is known
+from roughcontact._arrays import given
+from roughcontact.context import OptionSet
 
 from case import in_child
 from contact import unit_square
@@ -86,7 +88,7 @@ def solve(n, control, tol, solver, backend, threads, runs):
     """Cold solves; of those under an approach it is that of the load."""
     gap, load = gap_of(n, 1)
     pressure, step, result, times = np.zeros_like(gap), rc.raw.rc_step(), rc.raw.rc_result(), []
-    step.control, step.target, step.borrow = rc.raw.RC_CONTROL_LOAD, load, 1
+    step.control, step.target, step.borrow, step.warm_start = rc.raw.RC_CONTROL_LOAD, load, 1, 0
     step.undeformed_gap.data, result.p.data = gap.ctypes.data, pressure.ctypes.data
     options = {'solver': solver, 'backend': backend, 'threads': threads, 'tol': tol}
     with rc.Contact(unit_square(n), options=options) as contact, contact._holding() as handle:
@@ -105,13 +107,17 @@ def solve_batch(count, solver, backend, threads):
     gaps = np.empty((count, 64, 64))
     for k in range(count):
         gaps[k] = gap_of(64, k + 1)[0] if k < 64 else gaps[k % 64]
-    targets, times = np.full((count, 1), gap_of(64, 1)[1]), []
-    for _ in range(4):  # the first one sets the device up
-        begun = time.perf_counter()
-        found = rc.batch(undeformed_gap=gaps, system=unit_square(64), load=targets,
-                         options={'solver': solver, 'backend': backend, 'threads': threads, 'tol': 1e-8})
-        times.append(time.perf_counter() - begun)
-    return {'batch': count, 'solver': solver, 'backend': backend, 'threads': threads, 'certified': found.certified, 'first_seconds': times[0],
+    targets, pressures, certificates, times = np.full((count, 1), gap_of(64, 1)[1]), np.zeros_like(gaps), np.zeros((count, 1)), []
+    batch = given(rc.raw.rc_batch(), control=rc.raw.RC_CONTROL_LOAD, n=count, steps=1, targets=targets, undeformed_gap=gaps, p=pressures,
+                  certificate=certificates)
+    system, _ = unit_square(64).struct()
+    with OptionSet({'solver': solver, 'backend': backend, 'threads': threads, 'tol': 1e-8}, None) as options:
+        for _ in range(4):  # the first one sets the device up
+            begun = time.perf_counter()
+            if rc.raw.contact_library().rc_batch_solve(system, options, batch) < 0:
+                raise RuntimeError(rc.raw.contact_library().rc_last_error().decode())
+            times.append(time.perf_counter() - begun)
+    return {'batch': count, 'solver': solver, 'backend': backend, 'threads': threads, 'certified': batch.certified, 'first_seconds': times[0],
             'solves_per_second': count / min(times[1:])}
 
 
@@ -159,10 +165,11 @@ def main():
         rows['missing'].append({'what': f'passes {largest}', 'error': measured['error']})
     for n, tol in large:
         run('solves', 200, solve, n, 'load', tol, *pair, CORES, 2)
+    device = asked('name,driver_version,memory.total')
     commit = SETTING('RC_DEVICE_COMMIT') or subprocess.run(['git', '-C', ROOT, 'describe', '--always', '--dirty', '--abbrev=12', '--exclude=*'], capture_output=True,
                                                            text=True, check=False).stdout.strip() or 'unknown'
     result = {'benchmark': 'device', 'date': time.strftime('%Y-%m-%dT%H:%M:%SZ', time.gmtime()), 'commit': commit,
-              'device': asked('name,driver_version,memory.total') or 'host', **rows, **({} if 'error' in measured else measured)}
+              'device': f'{device} MiB' if device else 'host', **rows, **({} if 'error' in measured else measured)}
     with open(SETTING('RC_DEVICE_OUTPUT') or os.path.join(ROOT, 'bench', 'results', 'device.json'), 'w', encoding='utf-8') as out:
         out.write(lines(rounded(result)))
     if 'RC_DEVICE_OUTPUT' not in os.environ:

@@ -3,14 +3,14 @@ import math
 
 WIDTH, HEIGHT = 400, 300
 LEFT, RIGHT, TOP, BOTTOM = 52, 392, 46, 252
-TIMES, ERRORS = (2e-3, 2e1), (1e-9, 1.0)
+TIMES, ERRORS = (2e-3, 3e1), (1e-9, 1.0)
 # Code: name, light colour, dark colour, marker, where the name stands (seconds, error, anchor).
 OURS, STANDARD = 'haar-cg, fft', 'polonsky-keer, fft'
-CODES = {OURS: ('roughcontact', '#0072B2', '#56B4E9', 'circle', (2.6e-2, 0.12, 'end')),
+CODES = {OURS: ('roughcontact', '#0072B2', '#56B4E9', 'circle', (3e-2, 0.15, 'end')),
          STANDARD: ('standard method', '#B35900', '#E69F00', 'square', (6e-2, 1.1e-2, 'start')),
          'aspher-fft': ('ASPHER', '#00785A', '#40C9A0', 'triangle', (2.7e-1, 1.1e-3, 'start')),
-         'contactmechanics': ('ContactMechanics', '#A0307A', '#E08AC0', 'diamond', (19, 2.2e-4, 'end')),
-         'tamaas-free': ('Tamaas', '#555555', '#BBBBBB', 'cross', (1.9, 1.5e-6, 'end'))}
+         'contactmechanics': ('ContactMechanics', '#A0307A', '#E08AC0', 'diamond', (28, 2.2e-4, 'end')),
+         'tamaas-free': ('Tamaas', '#555555', '#BBBBBB', 'cross', (2.3, 2e-8, 'start'))}
 STYLE = '''text{font:12px "DejaVu Sans",Verdana,sans-serif;fill:#222}.t{font-weight:bold}.g{stroke:#ddd}.f{stroke:#777;fill:none}
 .a{stroke:#222;fill:none;stroke-width:1.5}.h{fill:#222}.e{stroke:#222;stroke-dasharray:5 3}'''
 DARK = 'text{fill:#ddd}.g{stroke:#444}.f{stroke:#999}.a,.e{stroke:#ddd}.h{fill:#ddd}'
@@ -44,7 +44,7 @@ def frame(grid_error):
     parts += [f'<path class="e" d="M{LEFT},{y:.1f}H{RIGHT}"/>', text(RIGHT - 4, y - 5, "the grid's own error", 'end'),
               f'<rect class="f" x="{LEFT}" y="{TOP}" width="{RIGHT - LEFT}" height="{BOTTOM - TOP}"/>',
               f'<path class="a" d="M{LEFT + 36},{BOTTOM - 36}L{LEFT + 12},{BOTTOM - 12}"/>',
-              f'<path class="h" d="M{LEFT + 7},{BOTTOM - 7}l3,-11l8,8z"/>', text(LEFT + 38, BOTTOM - 36, 'better')]
+              f'<path class="h" d="M{LEFT + 7},{BOTTOM - 7}l3,-11l8,8z"/>', text(LEFT + 6, BOTTOM - 42, 'better')]
     return parts
 
 

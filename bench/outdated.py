@@ -1,5 +1,6 @@
 """outdated.py [SOURCE]: which measured numbers in documents are older than the library in this folder (the tree of this file). A line for each
-page and commit; exit status 1 if there are any that can be measured here: those of a device need one. Changed comments do not count."""
+page and commit; exit status 1 if there are any that can be measured here: those of a device need one. Changed comments and
+scripts do not count."""
 import os
 import re
 import shutil
@@ -41,7 +42,7 @@ def outdated(source):
                     found.append(f'{page}: {commit}{dirty} is not in this history')
                     continue
                 files = [file for file in git('diff', '--name-only', '--no-renames', commit, 'HEAD', '--', *LIBRARY)
-                         if not file.endswith('.md') and code(commit, file) != code('HEAD', file)]
+                         if not file.endswith(('.md', '.py', '.sh')) and code(commit, file) != code('HEAD', file)]
                 since = git('rev-list', '--count', f'{commit}..HEAD', '--', *LIBRARY)[0]
                 words = [f'{len(files)} files of {", ".join(LIBRARY)} differ, by {since} commits'] if files else []
                 words += ['measured with changes that no commit has'] if dirty else []

@@ -78,9 +78,9 @@ class Ranks:
 
 question('ranks', 'contacts shared by ranks: two ranks here, many on simulated networks', lambda request: Ranks(request).run(), {
     'sizes': (listed(side), [1024, 2048, 4096, 8192], 'points a side, measured'),
-    'strong': (listed(side), [4096, 8192], 'points a side, simulated'),
-    'ranks': (listed(ranged(int, 1, 256)), [1, 4, 16, 64, 256], 'of each of them'),
-    'weak': (listed(ranged(int, 1, 256)), [1, 4, 16, 64], 'ranks of 2^20 points each, simulated'),
+    'strong': (listed(side), [4096], 'points a side, simulated'),
+    'ranks': (listed(ranged(int, 1, 256)), [1, 4, 16, 64], 'of each of them'),
+    'weak': (listed(ranged(int, 1, 256)), [1, 4, 16], 'ranks of 2^20 points each, simulated'),
     'records': (str, '', 'a folder that keeps what was run; a later call takes the least of its own runs and of these'),
     'runs': (ranged(int, 1, 100), 3, 'of what is simulated; the least time of each burst between two exchanges counts'),
     'repeats': (ranged(int, 1, 100), 5, 'of what is measured; the least time counts'),

@@ -56,7 +56,7 @@ def main():
     for (architecture, name), numbers in found.items():
         rows[names[name]][int(architecture)] = numbers
     spilled = sum(numbers[1] for numbers in found.values())
-    text = [f'{len(rows)} kernels, nvcc {sys.argv[2]}; {spilled} bytes are spilled in all.', '',
+    text = [f'{len(rows)} kernels, nvcc {sys.argv[2]}; outside calls of functions {spilled} bytes are spilled.', '',
             '| launch | computes | ' + ' | '.join(f'registers, sm_{each}' for each in architectures) + ' | shared memory [bytes] |',
             '|---|---|' + '---|' * (len(architectures) + 1)]
     for (kind, what), numbers in sorted(rows.items()):
