@@ -11,9 +11,10 @@ families=$(awk '/^ *[0-9]+\/[0-9]+ Test +#[0-9]+: / {
   }
   END { for (family in skipped) if (!(family in ran) && family != "campaign") print family }' "$1" | sort)
 [ -n "$families" ] || exit 0
-while read -r package; do
-  if [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" != installed ]; then
-    echo "skipped as a whole, perhaps for want of $package: ${families//$'\n'/, }"
+while read -r line; do
+  # shellcheck disable=SC2086
+  if ! grep -qx installed < <(dpkg-query -W -f '${db:Status-Status}\n' $line 2>/dev/null); then
+    echo "skipped as a whole, perhaps for want of $line: ${families//$'\n'/, }"
     exit 0
   fi
 done <"$(dirname "$0")/../scripts/packages-tests.txt"

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # bootstrap.sh [--tests] [--release]: installs the Debian packages of scripts/packages.txt that are not there yet; with --tests also
 # those of packages-tests.txt, without which some tests skip; with --release those of packages-release.txt, for scripts/release.sh.
+# Of several names in a line the first that the system has is taken.
 set -euo pipefail
 lists=("$(dirname "$0")/packages.txt")
 for option in "$@"; do lists+=("$(dirname "$0")/packages-${option#--}.txt"); done
@@ -9,12 +10,21 @@ if ! command -v dpkg-query >/dev/null; then
   exit 0
 fi
 missing=()
-while read -r package; do
-  [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing+=("$package")
+while read -r line; do
+  # shellcheck disable=SC2086
+  grep -qx installed < <(dpkg-query -W -f '${db:Status-Status}\n' $line 2>/dev/null) || missing+=("$line")
 done < <(cat "${lists[@]}")
 [ ${#missing[@]} -gt 0 ] || { echo "all packages are installed"; exit 0; }
-echo "installing ${missing[*]}"
 as_root=()
 [ "$(id -u)" = 0 ] || as_root=(sudo)
 "${as_root[@]}" apt-get update -qq
-"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+chosen=()
+for line in "${missing[@]}"; do
+  name=${line%% *}
+  for package in $line; do
+    if apt-cache show "$package" >/dev/null 2>&1; then name=$package; break; fi
+  done
+  chosen+=("$name")
+done
+echo "installing ${chosen[*]}"
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${chosen[@]}" >/dev/null
