@@ -20,7 +20,11 @@ full() { [ "$tier" = --full ]; }
 quick() { [ "$tier" = --quick ]; }
 took() { [ -z "$stage" ] || printf '%5d s  %s\n' $((SECONDS - since)) "$stage" >>"$times"; }
 stage() { took; stage=$* since=$SECONDS; echo; echo "== $* ($((SECONDS / 60)) min)"; }
-check() { if "$@"; then passed=$((passed + 1)); else failed=$((failed + 1)); fi; }
+check() {
+  local code=0
+  "$@" || code=$?
+  case $code in 0) passed=$((passed + 1)) ;; 77) skipped=$((skipped + 1)) ;; *) failed=$((failed + 1)) ;; esac
+}
 
 # build PRESET [cmake options]: quietly.
 build() {
@@ -91,10 +95,9 @@ else
   check .ci/no_side_effects.sh build-gcc
 
   stage "other systems"
-  how=--smoke code=0
+  how=--smoke
   ! full || how=--test
-  packaging/cross.sh $how all || code=$?
-  case $code in 0) passed=$((passed + 1)) ;; 77) skipped=$((skipped + 1)) ;; *) failed=$((failed + 1)) ;; esac
+  check packaging/cross.sh $how all
   ! full || check packaging/cross.sh --smoke i686  # 32 bits
 
   stage "clang: address and undefined behaviour sanitizers"

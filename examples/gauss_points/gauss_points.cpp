@@ -3,6 +3,7 @@
 // time, and the solver when they bounce back.
 #include <roughcontact/surface.h>
 
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
