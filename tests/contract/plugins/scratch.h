@@ -3,6 +3,7 @@
 
 #include <roughcontact/plugin.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
