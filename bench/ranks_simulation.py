@@ -16,7 +16,8 @@ ROOT = os.path.dirname(os.path.abspath(__file__))
 EXACT = ('--cfg=smpi/lat-factor:0:1', '--cfg=smpi/bw-factor:0:1',  # else SMPI has the corrections of another network
          '--cfg=smpi/host-speed:1Gf', '--cfg=smpi/cpu-threshold:0', '--log=root.thres:error')
 ENVIRONMENT = {'OMPI_ALLOW_RUN_AS_ROOT': '1', 'OMPI_ALLOW_RUN_AS_ROOT_CONFIRM': '1', 'OMPI_MCA_rmaps_base_oversubscribe': '1',
-               'OMPI_MCA_hwloc_base_binding_policy': 'none'}
+               'OMPI_MCA_hwloc_base_binding_policy': 'none',
+               'PRTE_MCA_rmaps_default_mapping_policy': ':oversubscribe', 'PRTE_MCA_hwloc_default_binding_policy': 'none'}
 
 
 def program(variable, what):

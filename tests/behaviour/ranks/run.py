@@ -10,6 +10,7 @@ ENVIRONMENT = {  # Open MPI: more ranks than cores, as any user, and none of the
     'OMPI_ALLOW_RUN_AS_ROOT_CONFIRM': '1',
     'OMPI_MCA_rmaps_base_oversubscribe': '1',
     'OMPI_MCA_hwloc_base_binding_policy': 'none',
+    'PRTE_MCA_rmaps_default_mapping_policy': ':oversubscribe', 'PRTE_MCA_hwloc_default_binding_policy': 'none',
     'OMPI_MCA_mpi_yield_when_idle': '1',
     'OMPI_MCA_btl_vader_single_copy_mechanism': 'none',
 }

@@ -59,8 +59,10 @@ class Sweeps(CommandTest):
         self.assertNotIn(done.returncode, CRASHES, done.stderr)
         self.assertIn(done.returncode, (0, 1), done.stderr)
         self.assertTrue(lines)
-        if done.returncode == 1:  # or the words of Fortran's library, which LAPACK brings along, while it is loaded
-            self.assertRegex(done.stderr, "roughcontact: |Memory allocation failed")
+        if done.returncode == 1:
+            if "Memory allocation failed" in done.stderr and "roughcontact: " not in done.stderr:
+                return  # Fortran's library, which LAPACK brings along, ends the process while it is loaded
+            self.assertIn("roughcontact: ", done.stderr)
         self.assert_whole()
 
     def sweep(self, faulted, call, runs=RUNS, how="", least=0):
