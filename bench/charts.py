@@ -68,7 +68,7 @@ class Panels:
         """Rows of numbers with a look."""
         name = f'$data{self.blocks}'
         self.blocks += 1
-        self.script.append(f'{name} << EOD\n' + ''.join(' '.join(map(repr, row)) + '\n' for row in points) + 'EOD\n')
+        self.script.append(f'{name} << EOD\n' + ''.join(' '.join(map(repr, map(float, row))) + '\n' for row in points) + 'EOD\n')
         return f'{name} {using} with {look}'
 
     def bars(self, points, look):
