@@ -4,12 +4,12 @@ import os
 
 
 def rounded(value):
-    """Five digits of every number: no measurement has more."""
+    """Seven digits of every number: no measurement has more."""
     if isinstance(value, dict):
         return {key: rounded(each) for key, each in value.items()}
     if isinstance(value, list):
         return [rounded(each) for each in value]
-    return float(f'{value:.5g}') if isinstance(value, float) else value
+    return float(f'{value:.7g}') if isinstance(value, float) else value
 
 
 MISSING = [[]]  # in a table, where a record lacks the key
