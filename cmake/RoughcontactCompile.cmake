@@ -25,7 +25,7 @@ target_compile_options(rc_compile INTERFACE $<$<COMPILE_LANGUAGE:C,CXX>:-Wall;-W
   $<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang>:-Wno-missing-field-initializers>  # members that a designated initialiser leaves out are null
   # Wrong across inlined loops; for short strings and temporary arguments that are not kept.
   $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-maybe-uninitialized>
-  $<$<AND:$<COMPILE_LANG_AND_ID:CXX,GNU>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,13>>:-Wno-array-bounds;-Wno-dangling-reference>
+  $<$<AND:$<COMPILE_LANG_AND_ID:CXX,GNU>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,13>>:-Wno-array-bounds;-Wno-dangling-reference;-Wno-stringop-overflow>
   $<$<AND:$<BOOL:${WIN32}>,$<COMPILE_LANGUAGE:C,CXX>>:-Wno-format>  # MinGW checks them as those of Microsoft's older functions, which it does not call
   $<$<AND:$<BOOL:${RC_WERROR}>,$<COMPILE_LANGUAGE:C,CXX>>:-Werror>)
 if(RC_SANITIZE)
