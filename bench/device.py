@@ -50,13 +50,17 @@ def built():
     return fft
 
 
-def asked(what):
-    """What the driver says of the first device; '' without one."""
+def said(*command):
+    """The first line that a program prints; '' if it fails or is not there."""
     try:
-        said = subprocess.run(['nvidia-smi', f'--query-gpu={what}', '--format=csv,noheader,nounits'], capture_output=True, text=True, check=True)
+        return subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()[0]
     except (OSError, subprocess.CalledProcessError):
         return ''
-    return said.stdout.splitlines()[0]
+
+
+def asked(what):
+    """What the driver says of the first device; '' without one."""
+    return said('nvidia-smi', f'--query-gpu={what}', '--format=csv,noheader,nounits')
 
 
 def waves(n, seed):
@@ -166,8 +170,7 @@ def main():
     for n, tol in large:
         run('solves', 200, solve, n, 'load', tol, *pair, CORES, 2)
     device = asked('name,driver_version,memory.total')
-    commit = SETTING('RC_DEVICE_COMMIT') or subprocess.run(['git', '-C', ROOT, 'describe', '--always', '--dirty', '--abbrev=12', '--exclude=*'], capture_output=True,
-                                                           text=True, check=False).stdout.strip() or 'unknown'
+    commit = SETTING('RC_DEVICE_COMMIT') or said('git', '-C', ROOT, 'describe', '--always', '--dirty', '--abbrev=12', '--exclude=*') or 'unknown'
     result = {'benchmark': 'device', 'date': time.strftime('%Y-%m-%dT%H:%M:%SZ', time.gmtime()), 'commit': commit,
               'device': f'{device} MiB' if device else 'host', **rows, **({} if 'error' in measured else measured)}
     with open(SETTING('RC_DEVICE_OUTPUT') or os.path.join(ROOT, 'bench', 'results', 'device.json'), 'w', encoding='utf-8') as out:
