@@ -3,7 +3,7 @@
 set -euo pipefail
 flang=$1 source=$2 libdir=$3
 shift 3
-[ -x "$flang" ] || { echo "skipped: flang is not installed (Debian: flang-16)"; exit 77; }
+[ -x "$flang" ] || { echo "skipped: flang is not installed (Debian: flang-16 or flang-19)"; exit 77; }
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"

@@ -13,11 +13,11 @@ except ImportError:
     print('skipped: NumPy is not installed')
     sys.exit(77)
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..', 'behaviour', 'ranks'))
+from run import ENVIRONMENT as MPI
+
 COMMAND = SERIAL = MPIEXEC = ''
-ENVIRONMENT = {**os.environ, 'OMPI_ALLOW_RUN_AS_ROOT': '1', 'OMPI_ALLOW_RUN_AS_ROOT_CONFIRM': '1', 'OMP_NUM_THREADS': '1',
-               'OMPI_MCA_rmaps_base_oversubscribe': '1', 'OMPI_MCA_hwloc_base_binding_policy': 'none',
-               'PRTE_MCA_rmaps_default_mapping_policy': ':oversubscribe', 'PRTE_MCA_hwloc_default_binding_policy': 'none',
-               'OMPI_MCA_mpi_yield_when_idle': '1', 'OMPI_MCA_btl_vader_single_copy_mechanism': 'none'}
+ENVIRONMENT = {**os.environ, **MPI, 'OMP_NUM_THREADS': '1'}
 PRESS = ['--pitch', '1e-6', '--modulus', '1e9']
 TIMES = 'seconds', 'setup_seconds'
 
