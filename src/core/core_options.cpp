@@ -34,15 +34,15 @@ constexpr rc_option_spec core_specs[] = {
     int_option(RC_OPT_WARMUP_ITERATIONS, "50", 1, 1e9, "iterations of the warm-up"),
     int_option(RC_OPT_RESUMABLE, "0", 0, 1,
                "1: a step depends only on the last two certified ones, so that rc_contact_restore continues with the same bits; "
-               "factors of earlier steps are made anew"),
+               "factorisations of earlier steps are not used"),
     int_option(RC_OPT_BOUNDS, "1", 0, 1, "1: prove intervals for load and contact area from the duality gap"),
-    fixed(real_option(
-        RC_OPT_ACCURACY, "0", 0, 0.5,
-        "accepted relative error of load or area: a coarser grid is used if its estimated error is below this, and no grid is "
-        "solved to more than a hundredth of it; 0: solve the given grid to tol")),
+    fixed(real_option(RC_OPT_ACCURACY, "0", 0, 0.5,
+                      "accepted relative error of load or area: a coarser grid is used if its estimated error is below this; "
+                      "residuals may be as "
+                      "large as 1/100 of it (area: 1/1000); 0: solve the given grid to tol")),
     fixed(text_option(
         RC_OPT_ACCURACY_OF, "load", "load|area",
-        "the quantity whose error accuracy bounds; load, in load control: the load that belongs to the approach found")),
+        "the quantity whose error is limited; load, if you prescribe it: the load that belongs to the approach found")),
     text_option(RC_OPT_CERTIFY_BACKEND, "", nullptr, "backend for the certificate's product; empty: the solving one"),
 };
 

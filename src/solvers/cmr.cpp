@@ -259,14 +259,14 @@ constexpr rc_option_spec levels =
 constexpr rc_option_spec radius = real_option("cmr.radius", "2", 1, 1000, "h: radius of the area of influence in coarse cells");
 constexpr rc_option_spec area =
     text_option("cmr.area", "diagonal", "diagonal|side",
-                "the radius is h times the diagonal (the paper's text) or the side (its Algorithm 6)");
+                "the radius is h diagonals of a coarse cell (Bemporad & Paggi's text) or h sides (their Algorithm 6)");
 constexpr rc_option_spec filter = text_option("cmr.filter", "max", "subsample|mean|max",
                                               "what a coarse point takes from its four heights: one, their mean or the highest");
 constexpr rc_option_spec certified = int_option(
     "cmr.certified", "1", 0, 1, "1: add points that overlap and solve again until none does; 0: as published, may be wrong");
 constexpr rc_option_spec select = text_option("cmr.select", "influence", "influence|gap",
-                                              "what is kept of the given grid: points within the area of influence, or tiles "
-                                              "that the coarser pressure leaves nearly closed");
+                                              "points of the given grid that are kept: those near contact on the coarser one, "
+                                              "or tiles whose gap under the coarser pressure nearly closes");
 constexpr const rc_option_spec* cmr_specs[] = {&cmr_inner, &levels, &radius, &area, &filter, &certified, &select};
 
 }  // namespace

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# plugin.sh SOURCE FOLDER: the plugin for devices itself, made by nvcc: without a warning, with one symbol for others and no mutable
+# plugin.sh SOURCE FOLDER PYTHON: the plugin for devices itself, made by nvcc: without a warning, with one symbol for others and no mutable
 # data beyond .ci/globals.allow. With a device it solves; without one it is refused in the driver's words. Exit status 77 without nvcc.
 # ARCHITECTURES: those to compile for.
 set -euo pipefail
-source=$1 build=$2
+source=$1 build=$2 python=$3
 command -v nvcc >/dev/null || { echo "skipped: nvcc is not found"; exit 77; }
 mkdir -p "$build"
 cmake -S "$source" -B "$build" -DCMAKE_BUILD_TYPE=Release -DRC_CUDA=ON -DRC_CUDA_ARCHITECTURES="${ARCHITECTURES:-80-real;90-real;100}" \
@@ -21,7 +21,7 @@ plugin=$(echo "$build"/lib/roughcontact/*/rcb_cuda.so)
 symbols=$(nm -D --defined-only "$plugin" | awk '$2 == "T" || $3 ~ /rc_|2rc|roughcontact/ { print $3 }')  # the others are the standard library's
 [ "$symbols" = rc_plugin_query ] || { echo "others can see: $symbols"; exit 1; }
 "$source/.ci/globals.sh" "$build"
-solve=(env ROUGHCONTACT_LIBRARY="$build/lib/libroughcontact.so" PYTHONPATH="$source/bindings/python" python3 -B -c '
+solve=(env ROUGHCONTACT_LIBRARY="$build/lib/libroughcontact.so" PYTHONPATH="$source/bindings/python" "$python" -B -c '
 import numpy, roughcontact as rc
 try:
     gap = numpy.random.default_rng(1).random((64, 64))

@@ -21,11 +21,11 @@ def write(name, text):
         file.write(text)
 
 
-def commit(*files):
+def commit(*files, message='change'):
     for name, text in files:
         write(name, text)
     git('add', '.')
-    git('commit', '-qm', 'change')
+    git('commit', '-qm', message)
     return git('rev-parse', '--short=12', 'HEAD')
 
 
@@ -38,14 +38,17 @@ if not shutil.which('git'):
 with tempfile.TemporaryDirectory() as folder:
     assert 'no history' in outdated(folder)[0], outdated(folder)
     git('init', '-q')
-    first = commit(('src/a.cpp', 'int a;\n'), ('docs/other.md', 'No numbers.\n'))
+    first = commit(('src/a.cpp', 'int a; auto help = "a limit of " "all the residuals";\n'), ('docs/other.md', 'No numbers.\n'))
     commit(page(f'roughcontact 0.1.0 ({first}); 2026-01-01.'), page(f'On a device, commit {first}; more.', 'docs/development/device.md'))
     assert outdated(folder) == [], outdated(folder)
-    commit(('src/a.cpp', '/* why\n*/ int a;  // "one"\n'), ('backends/README.md', 'Words.\n'))
+    commit(('src/a.cpp', '/* why\n*/ int a;  // "one"\nauto help = "the most that residuals may be";\n'), ('backends/README.md', 'Words.\n'))
     assert outdated(folder) == [], outdated(folder)
+    stays = commit(('src/a.cpp', 'int a = 0;\n'), message='change\n\nMeasured-numbers: unchanged, it was 0')
+    excused = set()
+    assert outdated(folder, excused) == [] and [each[:12] for each in excused] == [stays], (outdated(folder), excused)
     commit(('include/b.h', 'int b;\n'), ('backends/c.cpp', 'auto c = "// ";\n'))
     commit(('src/a.cpp', 'int b;\n'))
-    assert outdated(folder) == [f'{name}: {first}: 3 files of src, backends, include differ, by 3 commits'
+    assert outdated(folder) == [f'{name}: {first}: 3 files of src, backends, include differ, by 4 commits'
                                 for name in ('docs/page.md', 'docs/development/device.md')], outdated(folder)
     now = git('rev-parse', '--short=12', 'HEAD')
     commit(page(f'roughcontact 0.1.0 ({now}-dirty)'), page('commit 0123456789ab', 'docs/development/device.md'), page('Of some day.', 'docs/third.md'))
