@@ -167,6 +167,8 @@ void scenes() {
   for (std::uint64_t number = 1; number <= count; ++number) run(number);
   // Nearly full load, then less on a surface that has become all but flat.
   for (const std::uint64_t number : {5196, 8252, 9735, 11127, 16492}) run(number);
+  // By load: every point is at an end of its pressures, then a point far below its hardness is released.
+  for (const std::uint64_t number : {735, 10380, 30629}) run(number);
   report(std::to_string(count) + " scenes, " + std::to_string(tally.steps) + " steps, " + std::to_string(tally.yielding) +
          " with points at the hardness, " + std::to_string(tally.proven) + " without an undecided point, p off by at most " +
          text(tally.worst));

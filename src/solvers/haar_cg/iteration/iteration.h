@@ -198,11 +198,17 @@ template <Machine M, class Poll> class HaarIteration {
     m_.raise(m_.w(), -change);
   }
 
-  // Every point is at an end of its pressures and should be.
+  // Every point is at an end of its pressures and should be. A point that leaves its end keeps the rounding error of its w, which
+  // was as large as the datum moves.
   constexpr void release(const NewtonDatum::State& now) {
-    if (!task_.by_load) return raise(mean_ * now.load - datum_);
-    const double missing = task_.load - now.load, nearest = m_.nearest(missing > 0) + 1e-3 * task_.tol * now.depth;
-    if (nearest < infinite) raise(newton_.release(now, missing, nearest, task_.cap));
+    const double before = datum_;
+    if (!task_.by_load) {
+      raise(mean_ * now.load - datum_);
+    } else {
+      const double missing = task_.load - now.load, nearest = m_.nearest(missing > 0) + 1e-3 * task_.tol * now.depth;
+      if (nearest < infinite) raise(newton_.release(now, missing, nearest, task_.cap));
+    }
+    precision_.moved(std::abs(datum_ - before) / scale());
   }
 
   // Newton's step of the datum.

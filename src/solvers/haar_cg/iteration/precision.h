@@ -10,8 +10,10 @@ template <class Real> class HaarPrecision {
   static constexpr bool single = sizeof(Real) < sizeof(double);
   static constexpr double merit_noise = single ? 1e-6 : 1e-10;  // relative rise of the merit that rounding explains
 
-  constexpr void refreshed() { bounds_ = 0; }                          // by a product in double precision
-  constexpr void found(double residual) { exact_ = residual; }         // by that
+  constexpr void refreshed() { bounds_ = 0; }                   // by a product in double precision
+  constexpr void found(double residual) { exact_ = residual; }  // by that
+  // Some w that the residual did not contain has changed by this much, and may be part of it now.
+  constexpr void moved(double change) { exact_ = larger_of(exact_, change); }
   constexpr bool refresh_due() { return ++bounds_ >= refresh_every; }  // after a bound
   constexpr bool fresh() const { return bounds_ == 0; }                // no bound since the last one
   constexpr bool blurred(double residual) const { return single && residual <= drop * exact_; }
