@@ -23,6 +23,7 @@ class GapValues {
 
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
+  // NOLINTNEXTLINE(clang-analyzer-core.NullDereference): i is below size()
   double operator[](std::size_t i) const { return in_single_ ? static_cast<double>(in_single_[i]) : in_double_[i]; }
   GapValues part(std::size_t first, std::size_t count) const {
     return in_single_ ? GapValues(std::span(in_single_ + first, count)) : GapValues(std::span(in_double_ + first, count));

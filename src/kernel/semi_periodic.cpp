@@ -139,6 +139,7 @@ class FarImages {
   static double tail(int s, double M) {
     const double from = M + 40.5;
     double sum = 0;
+    // NOLINTNEXTLINE(clang-analyzer-security.FloatLoopCounter): whole numbers
     for (double m = M + 40; m > M; --m) sum += std::pow(m, -s);
     const double power = std::pow(from, -s);
     return sum + power * (from / (s - 1) - s / (24 * from) + 7.0 * s * (s + 1) * (s + 2) / (5760 * from * from * from));

@@ -12,17 +12,17 @@ double LawRow::half_width() const {
 }
 
 LawRow PatchLaw::row(double x) const {
-  LawRow row{RC_LAW_POINT_INIT, false};
-  rc_law_point& at = row.at;
-  const rc_status status = rc_law_evaluate(handle.get(), x / units.length, &at);
-  check(status, "--at");
-  row.beyond = status == RC_OUTSIDE;
+  LawRow found{RC_LAW_POINT_INIT, false};
+  rc_law_point& at = found.at;
+  const rc_status given = rc_law_evaluate(handle.get(), x / units.length, &at);
+  check(given, "--at");
+  found.beyond = given == RC_OUTSIDE;
   at.x *= units.length;
   for (double* const p : {&at.p, &at.p_lower, &at.p_upper}) *p *= units.pressure();
   at.slope *= units.pressure() / units.length;
   at.energy *= units.pressure() * units.length;
   for (double* const conductance : {&at.conductance, &at.conductance_lower, &at.conductance_upper}) *conductance /= units.length;
-  return row;
+  return found;
 }
 
 LawRow PatchLaw::row_at_pressure(double p) const {

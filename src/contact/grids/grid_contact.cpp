@@ -127,7 +127,7 @@ Numbers GridContact::certify(const rc_step& step, const Outputs& outputs, std::o
   Attempt attempt{once};
   Finished finished = certify_given(problem_, begun, attempt, outputs, compression);
   if (compression && problem_.goal.leaves_indentation) overlap_ = std::move(finished.overlap);
-  return std::move(finished.numbers);
+  return finished.numbers;
 }
 
 void GridContact::remember(Finished&& finished, const Choice& by) {

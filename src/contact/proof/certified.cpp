@@ -334,7 +334,7 @@ Finished certified_result(const GridProblem& problem, const Step& step, Answer&&
   const double depth = !answer.op ? without : stopped ? fitting_compression(problem, found) : answer.compression;
   Overlap overlap = overlap_of(problem, found, depth);
   Numbers numbers = finished(problem, step, answer, found, depth, std::move(rate), attempt, outputs);
-  return {std::move(numbers), std::move(found.pressures), std::move(overlap), std::move(answer.history.own)};
+  return {numbers, std::move(found.pressures), std::move(overlap), std::move(answer.history.own)};
 }
 
 Deflected deflection(const GridProblem& problem, const TrialSet& trial, std::vector<double> p, Answer& by,
@@ -373,7 +373,7 @@ Finished certify_given(const GridProblem& problem, const Step& step, Attempt& at
                                               : fitting_compression(problem, given);
   Numbers numbers = finished(problem, step, answer, given, depth, std::nullopt, attempt, outputs);
   copy_text(numbers.solver, "none");
-  return {.numbers = std::move(numbers), .overlap = overlap_of(problem, given, depth)};
+  return {.numbers = numbers, .overlap = overlap_of(problem, given, depth)};
 }
 
 }  // namespace rc

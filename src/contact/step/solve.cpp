@@ -54,7 +54,7 @@ Finished finished(const GridProblem& problem, const Memory& memory, const Step& 
       const bool hopeless = status == RC_STOP_STALLED || status == RC_UNCERTIFIED;
       const std::string reason = hopeless ? join("which ended with: ", rc_status_text(status)) : "";
       if (!hopeless || !pass_over(problem, choice.solver->name, RC_OPT_SOLVER, reason, attempt)) return found;
-      delivered = Finished{.numbers = std::move(found.numbers)};
+      delivered = Finished{.numbers = found.numbers};
       clear_message();
     } catch (const Error& error) {
       const bool device = error.code() == RC_ERR_EXTERNAL && problem.system.halfspace();  // which calls nothing of the caller's

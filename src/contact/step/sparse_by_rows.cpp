@@ -111,7 +111,7 @@ std::optional<Finished> sparse_by_rows(const GridProblem& problem, const Memory&
   });
   if (!finished || finished->numbers.status == RC_STOP_STALLED || finished->numbers.status == RC_UNCERTIFIED) return std::nullopt;
 
-  Finished mine{.numbers = std::move(finished->numbers)};
+  Finished mine{.numbers = finished->numbers};
   company.on_all([&] {
     const Pressures& p = finished->pressures;
     each_own(

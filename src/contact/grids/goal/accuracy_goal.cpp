@@ -65,7 +65,7 @@ void AccuracyGoal::halve(GridContact& given) {
 }
 
 rc_status AccuracyGoal::solve_on(std::size_t k, const GridProblem& given, const Step& step, const Monitor& monitor,
-                                 std::optional<Estimate> estimate, bool with_gap) {
+                                 const std::optional<Estimate>& estimate, bool with_gap) {
   Grid& grid = grids_[k - 1];
   GridContact& contact = *grid.contact;
   rc_options options = coarse_options(given.options, monitor);

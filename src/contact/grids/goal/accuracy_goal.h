@@ -46,7 +46,7 @@ class AccuracyGoal {
   // The blocks of the given grid that are the cells of grid k, 2^k x 2^k each. k = 1 is the finest of the coarser grids.
   static Blocks blocks_of(const GridProblem& given, std::size_t k);
   rc_status solve_on(std::size_t k, const GridProblem& given, const Step& step, const Monitor& monitor,
-                     std::optional<Estimate> estimate, bool with_gap);
+                     const std::optional<Estimate>& estimate, bool with_gap);
   Found from_coarse_to_fine(GridContact& given, const Step& step, const Monitor& monitor, bool with_gap);
   std::optional<Numbers> look(GridContact& given, const Step& step, Found& found, Monitor& monitor, const Outputs& outputs);
   Numbers stopped(const GridProblem& given, const Step& step, const Found& found, const Monitor& monitor, const Outputs& outputs);
