@@ -20,7 +20,7 @@ def press(n):
     pitch = 3 * a / n
     x = (np.arange(n) - (n - 1) / 2) * pitch
     ball = -(x[:, None] ** 2 + x**2) / (2 * radius)
-    return x, rc.solve(ball, pitch=pitch, modulus=modulus, approach=approach)
+    return x, rc.solve(ball, pitch=pitch, modulus=modulus, approach=approach, boundary="free")
 
 
 # %%
@@ -28,7 +28,7 @@ figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6))
 x, result = press(65)
 r = np.linspace(-a, a, 400)
 left.plot(r * 1e6, 2 * modulus * a / (np.pi * radius) * np.sqrt(1 - (r / a) ** 2) / 1e9, label="Hertz")
-left.plot(x * 1e6, result.pressure[32] / 1e9, ".", label="64 cells a side")
+left.plot(x * 1e6, result.pressure[32] / 1e9, ".", label="65 cells a side")
 left.set(xlabel="x [µm]", ylabel="pressure [GPa]", title=f"load {result.load:.4f} N, Hertz {hertz:.4f} N")
 left.legend()
 

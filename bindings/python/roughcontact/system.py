@@ -24,7 +24,7 @@ from .context import Context, Options, OptionSet, context_handle
 
 Repeats = Union[bool, str]  # True, False, or the one axis along which a grid repeats, "x" or "y"
 
-REPEATS = {"free": False, "periodic": True, "periodic-x": "x", "periodic-y": "y"}
+REPEATS: Dict[str, Repeats] = {"free": False, "periodic": True, "periodic-x": "x", "periodic-y": "y"}
 BOUNDARIES: Dict[Repeats, int] = {
     False: _constants.RC_BOUNDARY_FREE,
     True: _constants.RC_BOUNDARY_PERIODIC,

@@ -11,19 +11,18 @@ topographies = pytest.importorskip("SurfaceTopography")
 @pytest.fixture
 def stored(tmp_path, rough):
     """A file of a format that is not ours; it says neither pitch nor unit."""
-    h5py = pytest.importorskip("h5py")
-    with h5py.File(tmp_path / "map.h5", "w") as file:
-        file["surface"] = rough.heights.T  # the package's x is the first axis
-    return tmp_path / "map.h5"
+    matlab = pytest.importorskip("scipy.io")
+    matlab.savemat(tmp_path / "map.mat", {"surface": rough.heights.T})  # the package's x is the first axis
+    return tmp_path / "map.mat"
 
 
 def test_a_file_that_only_the_other_package_reads(stored, rough):
     surface = rc.read(stored, pitch=1e-6)
     assert np.array_equal(surface.heights, rough.heights) and surface.pitch == (1e-6, 1e-6) and surface.unit == "m"
-    assert surface.assumed.startswith("read by the package SurfaceTopography, as h5; lengths without a unit are in m")
+    assert surface.assumed.startswith("read by the package SurfaceTopography, as mat; lengths without a unit are in m")
     assert np.array_equal(rc.read(stored.read_bytes(), pitch=1e-6).heights, rough.heights)
-    assert np.array_equal(rc.read(stored, pitch=1e-6, format="h5").heights, rough.heights)
-    with pytest.raises(rc.ArgumentError, match="map.h5: the file does not say its pitch"):
+    assert np.array_equal(rc.read(stored, pitch=1e-6, format="mat").heights, rough.heights)
+    with pytest.raises(rc.ArgumentError, match="map.mat: the file does not say its pitch"):
         rc.read(stored)
     press = {"modulus": 1e9, "load": 1e-4}
     expected = rc.solve(rough.heights, pitch=1e-6, **press)
