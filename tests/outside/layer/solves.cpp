@@ -267,7 +267,7 @@ void products_are_hardly_more_than_on_a_half_space(void**) {
             const double ratio = static_cast<double>(found.products) / static_cast<double>(plain.products);
             worst = std::max(worst, ratio);
             // A stiff layer is a plate, for which the trees are not made.
-            const double allowed = modulus > 5 ? 2.1 : 1.3;
+            const double allowed = modulus < 5 ? 1.3 : boundary == RC_BOUNDARY_FREE ? 1.7 : 3.2;
             const bool few = found.products <= plain.products + 6;
             good = good && (ratio <= allowed || few);
             if (ratio > 1.3 && !few)
