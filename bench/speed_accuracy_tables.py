@@ -248,9 +248,9 @@ def pick_list(document):
     wanted = [tolerance_of(document, case) for case in known if bounded(document, case)['pressure_error'] > FLOOR]
     wanted = [tol for tol in wanted if tol]
     if wanted:
-        shares = [f'{sum(value >= tol for value in wanted)} with tol {tol:.0e}' for tol in sorted(set(wanted), reverse=True)]
-        picks.append(f'- **Tolerance.** Of {len(wanted)} contacts, the solver\'s errors of load and pressure were smaller than the grid\'s in this many: '
-                     + ', '.join(shares) + '. A smaller tolerance serves only to agree with another code on the same grid, or to give an outer '
+        shares = [f'in {sum(value >= tol for value in wanted)} with tol {tol:.0e}' for tol in sorted(set(wanted), reverse=True)]
+        picks.append(f'- **Tolerance.** In {len(wanted)} contacts the errors of load and pressure by the solver were compared with those by the grid. '
+                     'The solver\'s were smaller ' + ', '.join(shares) + '. A smaller tolerance serves only to agree with another code on the same grid, or to give an outer '
                      'iteration smooth derivatives.')
     return '\n'.join(pick for pick in picks if pick)
 

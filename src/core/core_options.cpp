@@ -38,8 +38,7 @@ constexpr rc_option_spec core_specs[] = {
     int_option(RC_OPT_BOUNDS, "1", 0, 1, "1: prove intervals for load and contact area from the duality gap"),
     fixed(real_option(RC_OPT_ACCURACY, "0", 0, 0.5,
                       "accepted relative error of load or area: a coarser grid is used if its estimated error is below this; "
-                      "residuals may be as "
-                      "large as 1/100 of it (area: 1/1000); 0: solve the given grid to tol")),
+                      "residuals may be as large as 1/100 of it (area: 1/1000); 0: solve the given grid to tol")),
     fixed(text_option(
         RC_OPT_ACCURACY_OF, "load", "load|area",
         "the quantity whose error is limited; load, if you prescribe it: the load that belongs to the approach found")),

@@ -24,8 +24,9 @@ namespace {
 constexpr rc_option_spec products =
     text_option("haar-cg.products", "mixed", "mixed|double", "mixed: single precision, corrected by some in double precision");
 constexpr rc_option_spec nested = int_option("haar-cg.nested", "1", 0, 1, "1: without a start, begin on coarser grids");
-constexpr rc_option_spec patience_option = int_option(
-    "haar-cg.patience", "120", 0, 1e6, "steps that may fail to halve the residual before the exact fallback takes over");
+constexpr rc_option_spec patience_option =
+    int_option("haar-cg.patience", "120", 0, 1e6,
+               "rounds of steps that may fail to halve the residual before the exact fallback takes over");
 constexpr rc_option_spec inverse =
     int_option("haar-cg.inverse", "600", 0, 4096,
                "largest number of points in contact for which similar steps keep the inverse of H on them, 4 bytes a pair");

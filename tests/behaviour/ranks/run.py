@@ -5,7 +5,7 @@ import os
 import subprocess
 import sys
 
-ENVIRONMENT = {  # Open MPI: more ranks than cores, as any user, and none of them spins; memory that it does not free is its own matter
+ENVIRONMENT = {  # Open MPI: more ranks than cores, as any user, and none of them spins
     'OMPI_ALLOW_RUN_AS_ROOT': '1',
     'OMPI_ALLOW_RUN_AS_ROOT_CONFIRM': '1',
     'OMPI_MCA_rmaps_base_oversubscribe': '1',
@@ -13,7 +13,7 @@ ENVIRONMENT = {  # Open MPI: more ranks than cores, as any user, and none of the
     'PRTE_MCA_rmaps_default_mapping_policy': ':oversubscribe', 'PRTE_MCA_hwloc_default_binding_policy': 'none',
     'OMPI_MCA_mpi_yield_when_idle': '1',
     'OMPI_MCA_btl_vader_single_copy_mechanism': 'none',
-    'ASAN_OPTIONS': 'detect_leaks=0',
+    'ASAN_OPTIONS': 'detect_leaks=0',  # there are some in MPI itself
 }
 
 

@@ -1,5 +1,5 @@
-"""`roughcontact` with a fault at many an allocation, write, close, open, rename and fsync: it ends with an exit code of its own and a line
-that says why, and its files are whole or not there.
+"""`roughcontact` with a fault at one allocation, write, close, open, rename or fsync after another: it ends with an exit code of its own
+and a line that says why, and its files are whole or not there.
 
 Usage: test_command.py ROUGHCONTACT INJECT PLUGINS [--long] [TEST ...]
 """
@@ -16,9 +16,8 @@ from harness import CommandTest, np, rough  # noqa: E402
 
 HISTORY = ["--pitch", "1e-6", "--modulus", "1e9", "--approach", "1e-7,2e-7", "--out", "out", "--quiet"]
 SOLVERS = {"dense": "nnls", "fft": "polonsky-keer", "cholmod": "nnls"}
-RUNS, LONG = 25, 2000  # of one sweep
+RUNS, LONG = 25, 2000  # faults of a sweep, spread evenly over its calls
 LARGE = 1 << 16  # bytes; FFTW's planner ends the process where it gets less than that and larger ones just succeeded, see docs/development/errors.md
-LARGE = 1 << 16  # bytes
 
 
 class Sweeps(CommandTest):

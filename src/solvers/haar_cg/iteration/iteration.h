@@ -198,17 +198,16 @@ template <Machine M, class Poll> class HaarIteration {
     m_.raise(m_.w(), -change);
   }
 
-  // Every point is at an end of its pressures and should be. A point that leaves its end keeps the rounding error of its w, which
-  // was as large as the datum moves.
+  // Every point is at an end of its pressures and should be. The w of a point that leaves its end was as large as the change of
+  // the datum, and so is what its rounding error is relative to.
   constexpr void release(const NewtonDatum::State& now) {
-    const double before = datum_;
-    if (!task_.by_load) {
-      raise(mean_ * now.load - datum_);
-    } else {
+    double change = mean_ * now.load - datum_;
+    if (task_.by_load) {
       const double missing = task_.load - now.load, nearest = m_.nearest(missing > 0) + 1e-3 * task_.tol * now.depth;
-      if (nearest < infinite) raise(newton_.release(now, missing, nearest, task_.cap));
+      change = nearest < infinite ? newton_.release(now, missing, nearest, task_.cap) : 0;
     }
-    precision_.moved(std::abs(datum_ - before) / scale());
+    raise(change);
+    precision_.moved(std::abs(change) / scale());
   }
 
   // Newton's step of the datum.
