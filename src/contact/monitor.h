@@ -70,8 +70,9 @@ class Monitor {
       if (progress_.function(&report, progress_.user) != 0) return RC_STOP_CANCELLED;
     }
     if (const rc_status status = ask(); status != RC_OK) return status;
-    return iterations_ >= max_iter_ ? RC_STOP_MAX_ITER : RC_OK;
+    return used_up() ? RC_STOP_MAX_ITER : RC_OK;
   }
+  bool used_up() const { return iterations_ >= max_iter_; }  // no iteration is left
   // Passes the report of a solve inside this one on to the caller.
   std::int32_t report(const rc_progress& inner) const {
     if (!progress_.function || inner.iteration % progress_.every != 0) return 0;

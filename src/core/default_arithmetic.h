@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cfenv>
+#ifdef __SSE2__
+#include <xmmintrin.h>
+#endif
 
 namespace rc {
 
@@ -13,13 +16,24 @@ class DefaultArithmetic {
   DefaultArithmetic() {
     std::fegetenv(&given_);
     std::fesetenv(FE_DFL_ENV);
+#ifdef __SSE2__
+    _mm_setcsr(0x1f80);  // the default of processors
+#endif
   }
-  ~DefaultArithmetic() { std::fesetenv(&given_); }
+  ~DefaultArithmetic() {
+    std::fesetenv(&given_);
+#ifdef __SSE2__
+    _mm_setcsr(given_vectors_);
+#endif
+  }
   DefaultArithmetic(const DefaultArithmetic&) = delete;
   DefaultArithmetic& operator=(const DefaultArithmetic&) = delete;
 
  private:
   std::fenv_t given_;
+#ifdef __SSE2__
+  unsigned given_vectors_ = _mm_getcsr();  // x86 computes doubles with vectors, whose mode MinGW's fesetenv leaves alone
+#endif
 };
 
 }  // namespace rc

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cfenv>
-#ifdef __x86_64__
+#ifdef __SSE2__
 #include <xmmintrin.h>
 #endif
 
@@ -17,9 +17,11 @@ struct Mode {
 inline const Mode modes[] = {
 #ifdef FE_NOMASK_ENV  // where traps can be set
     {"traps", [] { feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW); }},
+#elif defined __SSE2__
+    {"traps", [] { _mm_setcsr(_mm_getcsr() & ~(_MM_MASK_INVALID | _MM_MASK_DIV_ZERO | _MM_MASK_OVERFLOW)); }},
 #endif
     {"upward", [] { std::fesetround(FE_UPWARD); }},
-#ifdef __x86_64__
+#ifdef __SSE2__
     {"flush to zero", [] { _mm_setcsr(_mm_getcsr() | 0x8040); }},
 #endif
 };
@@ -33,7 +35,7 @@ struct Found {
 #ifdef FE_NOMASK_ENV  // where traps can be set
     trapped = fegetexcept();
 #endif
-#ifdef __x86_64__
+#ifdef __SSE2__
     vectors = _mm_getcsr();
 #endif
   }
@@ -48,12 +50,20 @@ class InMode {
     std::feclearexcept(FE_ALL_EXCEPT);
     mode.set();
   }
-  ~InMode() { std::fesetenv(&before_); }
+  ~InMode() {
+    std::fesetenv(&before_);
+#ifdef __SSE2__  // MinGW's fesetenv leaves it alone
+    _mm_setcsr(vectors_);
+#endif
+  }
   InMode(const InMode&) = delete;
   InMode& operator=(const InMode&) = delete;
 
  private:
   std::fenv_t before_;
+#ifdef __SSE2__
+  unsigned vectors_ = _mm_getcsr();
+#endif
 };
 
 }  // namespace support

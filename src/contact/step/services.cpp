@@ -121,6 +121,7 @@ void keep(const rc_kept_steps* steps, void* object, void (*destroy)(void*)) {
 void connect(BoundProblem& problem);
 
 rc_status solve(const rc_solver& solver, BoundProblem& problem, double* p, double* d) {
+  if (problem.run.attempt.monitor.used_up()) return RC_STOP_MAX_ITER;
   const rc_options& options = problem.run.problem.options;
   const StepSurface& surface = problem.run.problem.surface;
   const bool in_single = (solver.needs & RC_READS_SINGLE_GAP) != 0;

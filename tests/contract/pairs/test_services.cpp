@@ -49,6 +49,16 @@ void every_solver_warms_up_every_other() {
                  first + " before " + solver);
 }
 
+void a_warm_up_counts_among_the_iterations() {
+  for (const std::string& first : solver_names())
+    for (const std::string& solver : solver_names()) {
+      const Answer answer = solve(rough_problem(24, 20), {solver, "dense"}, {{RC_OPT_WARMUP, first}, {RC_OPT_MAX_ITER, "2"}});
+      check(answer.status >= 0 && answer.result.iterations <= 2, first + " before " + solver + ": " +
+                                                                     std::to_string(answer.result.iterations) +
+                                                                     " iterations, status " + std::to_string(answer.status));
+    }
+}
+
 void warm_up_without_load_control_is_named() {
   const Problem problem = at_load(rough_problem(24, 20), 20);
   const Answer answer = solved(problem, {"polonsky-keer", "fft"}, {{RC_OPT_WARMUP, "cmr"}});
@@ -127,6 +137,7 @@ int main(int argc, char** argv) {
   return run_group("pairs.services",
                    {{"warm_up_that_cannot_run_is_refused", warm_up_that_cannot_run_is_refused},
                     {"every_solver_warms_up_every_other", every_solver_warms_up_every_other},
+                    {"a_warm_up_counts_among_the_iterations", a_warm_up_counts_among_the_iterations},
                     {"warm_up_without_load_control_is_named", warm_up_without_load_control_is_named},
                     {"periodic_load_control_needs_no_hand_over", periodic_load_control_needs_no_hand_over},
                     {"flat_on_flat_is_certified", flat_on_flat_is_certified},
