@@ -41,6 +41,7 @@ class Oracle {
  private:
   struct Parts;
   Real cap() const;
+  Real round_off() const;
   void check_sums(const Problem& problem, const Answer& answer) const;
   void check_residuals(const Problem& problem, const Answer& answer, Parts& parts) const;
   void check_intervals(const Answer& answer, const Parts& parts) const;

@@ -225,7 +225,9 @@ class Sequence {
     const std::string line{bytes_.until('\n')};
     const auto equals = line.find('=');
     if (equals == std::string::npos || line.starts_with(RC_OPT_THREADS)) return;
-    rc_options_parse(options_, line.substr(0, equals).c_str(), line.substr(equals + 1).c_str());
+    const std::string key = line.substr(0, equals), value = line.substr(equals + 1);
+    rc_options_parse(options_, key.c_str(), value.c_str());
+    scene_.options.emplace_back(key, value);
     const rc_status status = rc_contact_set_options(contact_, options_);
     require(status <= 0 && status != RC_ERR_INTERNAL && status != RC_ERR_BUSY, "options are taken or refused");
   }
