@@ -5,12 +5,12 @@
 #   (none)   what CI runs: gcc, checks of source and binaries, a smoke test of other systems, address, undefined behaviour and
 #            thread sanitizers where they tell most
 #   --full   before a release: all sizes, measured surfaces where they are, the tests on other systems, every family under the
-#            sanitizers, clang, clang-tidy, fuzzing, mutants
+#            sanitizers, clang, clang-tidy, fuzzing, mutants. Called again on the same commit, it runs only what has not passed yet.
 set -euo pipefail
 cd "$(dirname "$0")"
 tier=${1:-}
 case $tier in '' | --quick | --full) ;; *) sed -n '2,8s/^# //p' "$0"; exit 2 ;; esac
-passed=0 failed=0 skipped=0 stage='' since=0
+passed=0 failed=0 skipped=0
 times=$(mktemp)
 trap 'rm -f "$times"' EXIT
 jobs=$(nproc)  # before OMP_THREAD_LIMIT is set, which it obeys
@@ -18,8 +18,28 @@ export CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-$jobs}
 
 full() { [ "$tier" = --full ]; }
 quick() { [ "$tier" = --quick ]; }
-took() { [ -z "$stage" ] || printf '%5d s  %s\n' $((SECONDS - since)) "$stage" >>"$times"; }
-stage() { took; stage=$* since=$SECONDS; echo; echo "== $* ($((SECONDS / 60)) min)"; }
+
+# state: the tree of the commit, if nothing differs from it.
+state() { [ -n "$(git status --porcelain 2>&1)" ] || git rev-parse 'HEAD^{tree}'; }
+# What --full has found of this tree; scripts/release.sh asks for its last line.
+record=build-gcc/full-test
+note() { ! full || [ -z "$tree" ] || [ "$(state)" != "$tree" ] || echo "$tree $*" >>"$record"; }
+
+# stage NAME COMMAND...: with --full, a stage that has passed on this tree is not run again.
+stage() {
+  local start=$SECONDS before=("$passed" "$failed" "$skipped") counts
+  echo
+  if full && read -ra counts < <(sed -n "s/^$tree passed $1: //p" "$record" 2>/dev/null); then
+    echo "== $1: has passed on this tree"
+    passed=$((passed + counts[0])) skipped=$((skipped + counts[1]))
+    return
+  fi
+  echo "== $1 ($((SECONDS / 60)) min)"
+  "${@:2}"
+  printf '%5d s  %s\n' $((SECONDS - start)) "$1" >>"$times"
+  [ "$failed" != "${before[1]}" ] || note "passed $1: $((passed - before[0])) $((skipped - before[2]))"
+}
+
 check() {
   local code=0
   "$@" || code=$?
@@ -64,8 +84,9 @@ verify() {
   if build "$1" "${options[@]}"; then run_tests "$1" "${@:3}"; else failed=$((failed + 1)); fi
 }
 
-stage "packages"
+echo "== packages"
 scripts/bootstrap.sh --tests
+tree=$(state)  # git is there now
 # An empty tree takes the faster generator, and a compiler cache where there is one.
 ! command -v ninja >/dev/null || export CMAKE_GENERATOR=${CMAKE_GENERATOR-Ninja}
 if command -v ccache >/dev/null; then
@@ -74,65 +95,56 @@ if command -v ccache >/dev/null; then
   export CCACHE_SLOPPINESS=pch_defines,time_macros  # else it leaves out what includes precompiled headers
 fi
 rm -f build-*/ctest-*.log
-# state: the tree of the commit, if nothing differs from it.
-state() { [ -n "$(git status --porcelain 2>&1)" ] || git rev-parse 'HEAD^{tree}'; }
-tree=$(state)
 
-if quick; then
-  stage "gcc, reduced tests"
-  RC_TEST_QUICK=1 verify gcc "-DRC_BUILD_BENCH=OFF" -LE 'slow|full'
-else
-  stage "gcc: build"
-  build gcc -DRC_BUILD_BENCH=ON || failed=$((failed + 1))
-  stage "gcc: tests"
-  if full; then run_tests gcc; else run_tests gcc -LE full; fi
-
-  stage "checks of source and binaries"
+gcc_build() { build gcc -DRC_BUILD_BENCH=ON || failed=$((failed + 1)); }
+source_and_binaries() {
   check .ci/include_graph.py
   check .ci/platforms.py
   check .ci/format.sh
   check .ci/globals.sh build-gcc
   check .ci/no_side_effects.sh build-gcc
-
-  stage "other systems"
-  how=--smoke
+}
+other_systems() {
+  local how=--smoke
   ! full || how=--test
   check packaging/cross.sh $how all
   ! full || check packaging/cross.sh --smoke i686  # 32 bits
-
-  stage "clang: address and undefined behaviour sanitizers"
-  if full; then
-    RC_TEST_QUICK=1 verify asan "-DRC_TEST_FAMILIES=" -LE 'slow|full' -E 'failures|pairs\.(analytic|invariance\.(repetitions|sequences))'
-  else
+}
+asan() {
+  local families="" but=(-E 'failures|pairs\.(analytic|invariance\.(repetitions|sequences))')
+  if ! full; then
     families="behaviour/batch behaviour/device behaviour/formats behaviour/honesty behaviour/threads contract/backends contract/errors"
     families+=" contract/options contract/plugins behaviour/law behaviour/product faults/process"
-    RC_TEST_QUICK=1 verify asan "-DRC_TEST_FAMILIES=${families// /;}" -LE 'slow|full'
+    but=()
   fi
+  RC_TEST_QUICK=1 verify asan "-DRC_TEST_FAMILIES=${families// /;}" -LE 'slow|full' "${but[@]}"
+}
+# Loops that a library spreads with OpenMP wait in a runtime that the sanitizer cannot see into: one thread for those.
+tsan() { OMP_THREAD_LIMIT=1 RC_TEST_QUICK=1 verify tsan "" -R 'threads|contract\.'; }
+mutants() { if build mutants; then check scripts/mutants.py build-mutants --jobs "$jobs"; else failed=$((failed + 1)); fi; }
 
-  # Loops that a library spreads with OpenMP wait in a runtime that the sanitizer cannot see into: one thread for those.
-  stage "gcc: thread sanitizer"
-  OMP_THREAD_LIMIT=1 RC_TEST_QUICK=1 verify tsan "" -R 'threads|contract\.'
+if quick; then
+  RC_TEST_QUICK=1 stage "gcc, reduced tests" verify gcc "-DRC_BUILD_BENCH=OFF" -LE 'slow|full'
+else
+  stage "gcc: build" gcc_build
+  if full; then stage "gcc: tests" run_tests gcc; else stage "gcc: tests" run_tests gcc -LE full; fi
+  stage "checks of source and binaries" source_and_binaries
+  stage "other systems" other_systems
+  stage "clang: address and undefined behaviour sanitizers" asan
+  stage "gcc: thread sanitizer" tsan
 fi
-
 if full; then
-  stage "clang"
-  check build clang
-  stage "clang-tidy"
-  check .ci/tidy.sh build-clang
-  stage "fuzzing, a minute each"
-  verify fuzz "" -L full
-  stage "mutants of the certificate and the bounds"
-  if build mutants; then check scripts/mutants.py build-mutants --jobs "$jobs"; else failed=$((failed + 1)); fi
+  stage "clang" check build clang
+  stage "clang-tidy" check .ci/tidy.sh build-clang
+  stage "fuzzing, a minute each" verify fuzz "" -L full
+  stage "mutants of the certificate and the bounds" mutants
 fi
 
-took
 echo
 cat "$times"
 echo "slowest:"
-cat build-*/ctest-*.log | sed -nE 's|^ *[0-9]+/[0-9]+ Test +#[0-9]+: ([^ ]+) .* ([0-9.]+) sec$|\2 s  \1|p' | sort -rn | sed -n 1,10p
+{ cat build-*/ctest-*.log 2>/dev/null || true; } | sed -nE 's|^ *[0-9]+/[0-9]+ Test +#[0-9]+: ([^ ]+) .* ([0-9.]+) sec$|\2 s  \1|p' | sort -rn | sed -n 1,10p
 echo
 echo "$passed passed, $failed failed, $skipped skipped"
-# The record that scripts/release.sh asks for.
-! full || [ -z "$tree" ] || [ "$(state)" != "$tree" ] ||
-  echo "$tree $(date -u +%F): $passed passed, $failed failed, $skipped skipped" >build-gcc/full-test
+note "$(date -u +%F): $passed passed, $failed failed, $skipped skipped"
 [ $failed = 0 ]
