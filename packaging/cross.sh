@@ -45,7 +45,7 @@ answer_here() (
     quietly $native.log cmake --build $native -j "$(nproc)"
   fi
   [ "$1" -nt $native/lib/libroughcontact.so ] && [ "$1" -nt tests/outside/systems/answers.c ] && return
-  cc -std=c99 -O2 -Iinclude tests/outside/systems/answers.c -o build-cross/answers -L$native/lib -lroughcontact
+  cc -std=c99 -O2 -Iinclude tests/outside/systems/answers.c -o build-cross/answers -L$native/lib -lroughcontact -lm
   LD_LIBRARY_PATH=$native/lib build-cross/answers "$1.new" "${@:2}"
   mv "$1.new" "$1"
 )

@@ -1,6 +1,7 @@
 /* answers FILE BACKEND...: solves contacts with these backends and every solver, makes mistakes, and writes
  * statuses, messages and every number, bit for bit, as lines of text. compare.py compares two such files.
  * Surfaces come from operations that every machine rounds in the same way. */
+#include <fenv.h>
 #include <roughcontact/direct.h>
 #include <roughcontact/registry.h>
 #include <stdio.h>
@@ -94,6 +95,24 @@ static void solve_all(const char* backend) {
       }
 }
 
+/* The caller's rounding reaches no bit of an answer, and is found as it was. */
+static void solve_while_rounding_upward(const char* backend) {
+  static double to_nearest[MOST];
+  rc_system system = RC_SYSTEM_INIT;
+  system.boundary = RC_BOUNDARY_FREE;
+  system.nx = 24;
+  system.ny = 20;
+  system.hx = system.hy = system.modulus = 1;
+  make_surface(&system, 1);
+  solve(&system, "auto", backend, RC_CONTROL_APPROACH, 0.4);
+  memcpy(to_nearest, p, sizeof p);
+  fesetround(FE_UPWARD);
+  solve(&system, "auto", backend, RC_CONTROL_APPROACH, 0.4);
+  fprintf(out, "rounding %s, pressures %s\n", fegetround() == FE_UPWARD ? "kept" : "changed",
+          memcmp(to_nearest, p, sizeof p) == 0 ? "the same" : "others");
+  fesetround(FE_TONEAREST);
+}
+
 static void solve_directly(void) {
   static double H[SMALL * SMALL], u[SMALL], w[SMALL];
   for (int i = 0; i < SMALL; ++i) {
@@ -156,6 +175,7 @@ int main(int count, char** words) {
   for (int i = 2; i < count; ++i) {
     if (!has_backend(words[i])) return fprintf(stderr, "there is no backend %s\n", words[i]), 1;
     solve_all(words[i]);
+    solve_while_rounding_upward(words[i]);
   }
   solve_directly();
   make_mistakes();

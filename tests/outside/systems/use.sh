@@ -31,7 +31,7 @@ ln -s "$root" plain  # compilers split what pkg-config says at spaces
 flags() { PKG_CONFIG_LIBDIR=$scratch/plain/lib/pkgconfig pkg-config "$@"; }
 
 read -ra contact <<<"$(flags --cflags --libs roughcontact)"
-$cc -std=c99 -O2 -Wall -Wextra -Werror "$here/answers.c" -o "$root/bin/answers" "${contact[@]}"
+$cc -std=c99 -O2 -Wall -Wextra -Werror "$here/answers.c" -o "$root/bin/answers" "${contact[@]}" -lm
 program() { [ -e "$root/bin/$1.exe" ] && echo "$root/bin/$1.exe" || echo "$root/bin/$1"; }
 "${run[@]}" "$(program answers)" there.txt "$@" || fail "answers ended with $?"
 "$here/compare.py" "$here_answers" there.txt
