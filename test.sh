@@ -29,7 +29,7 @@ note() { ! full || [ -z "$tree" ] || [ "$(state)" != "$tree" ] || echo "$tree $*
 stage() {
   local start=$SECONDS before=("$passed" "$failed" "$skipped") counts
   echo
-  if full && read -ra counts < <(sed -n "s/^$tree passed $1: //p" "$record" 2>/dev/null); then
+  if full && read -ra counts < <(sed -n "s/^$tree passed $1: \\([0-9]* [0-9]*\\)$/\\1/p" "$record" 2>/dev/null); then
     echo "== $1: has passed on this tree"
     passed=$((passed + counts[0])) skipped=$((skipped + counts[1]))
     return
