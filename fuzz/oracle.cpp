@@ -92,8 +92,8 @@ Real Oracle::cap() const {
   return scene_.system.hardness > 0 ? static_cast<Real>(scene_.system.hardness) : std::numeric_limits<Real>::infinity();
 }
 
-// Of two ways to multiply by H, relative to the largest entry. The backend fft may transform in single precision, also if a goal
-// of accuracy allows it.
+// By how much two products with H may differ, relative to the largest entry. With some options the backend fft transforms in
+// single precision: fft.precision=single, or a goal of accuracy.
 Real Oracle::round_off() const {
   const auto single = [](const auto& option) { return option.first == RC_OPT_ACCURACY || option.second == "single"; };
   return std::ranges::any_of(scene_.options, single) ? 5e-7L : 2e-11L;

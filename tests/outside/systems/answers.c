@@ -95,7 +95,7 @@ static void solve_all(const char* backend) {
       }
 }
 
-/* The caller's rounding reaches no bit of an answer, and is found as it was. */
+/* The caller's rounding changes no bit of an answer, and the call leaves it as it was. */
 static void solve_while_rounding_upward(const char* backend) {
   static double to_nearest[MOST];
   rc_system system = RC_SYSTEM_INIT;

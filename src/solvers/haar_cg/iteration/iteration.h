@@ -198,8 +198,8 @@ template <Machine M, class Poll> class HaarIteration {
     m_.raise(m_.w(), -change);
   }
 
-  // Every point is at an end of its pressures and should be. The w of a point that leaves its end was as large as the change of
-  // the datum, and so is what its rounding error is relative to.
+  // Every point is at an end of its pressures and should be. Before a point leaves its end, its w is as large as the change of
+  // the datum. The rounding error of its w is relative to that.
   constexpr void release(const NewtonDatum::State& now) {
     double change = mean_ * now.load - datum_;
     if (task_.by_load) {

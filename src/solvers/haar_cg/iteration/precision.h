@@ -12,7 +12,7 @@ template <class Real> class HaarPrecision {
 
   constexpr void refreshed() { bounds_ = 0; }                   // by a product in double precision
   constexpr void found(double residual) { exact_ = residual; }  // by that
-  // By this much a w has changed that the residual did not contain and may contain now.
+  // A w has changed by this much. The residual did not contain it before, and may contain it now.
   constexpr void moved(double change) { exact_ = larger_of(exact_, change); }
   constexpr bool refresh_due() { return ++bounds_ >= refresh_every; }  // after a bound
   constexpr bool fresh() const { return bounds_ == 0; }                // no bound since the last one
