@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Checks every #include against the layers: each folder may include only what stands beside it here. Headers of src include each other
-without a cycle, and so do the modules of the Python package."""
+"""Checks every #include against the layers: each folder may include only what stands beside it here. The layers have no cycle, nor have
+the headers of src or the modules of the Python package among themselves."""
 import ast
 import graphlib
 import pathlib
@@ -9,28 +9,27 @@ import sys
 
 CONTACT = {f'roughcontact/{name}.h' for name in ('roughcontact', 'history', 'derivatives', 'direct', 'product', 'analysis', 'law', 'ranks', 'registry')}
 PUBLIC = CONTACT | {f'roughcontact/{name}' for name in ('mpi.h', 'plugin.h', 'surface.h', 'formats.h', 'plugin.hpp')}
-HAAR_CG = {f'solvers/haar_cg{part}' for part in ('', '/iteration', '/tree', '/near')}
 STEP = {f'contact{part}' for part in ('', '/surface', '/memory', '/sparse', '/proof', '/step')}
 LAYERS = {  # folder under src: folders it may include, each without the folders below it that stand here themselves
     'platform': {'platform'},
     'core': {'core', 'platform'},
+    'core/vectors': {'core/vectors'},
     'kernel': {'kernel'},
     'registry': {'registry', 'core', 'kernel', 'platform'},
     'operator': {'operator', 'registry', 'core'},
     'grid': {'grid'},
+    'trees': {'trees', 'core/vectors', 'core'},
     'analysis': {'analysis', 'core'},
-    'solvers': {'solvers', 'solvers/common', 'operator', 'grid', 'core'},
-    'solvers/common': {'solvers', 'solvers/common', 'core'},
-    'solvers/haar_cg': {'solvers', 'solvers/common', 'grid', 'core', *HAAR_CG, 'solvers/haar_cg/threads'},
+    'solvers': {'solvers', 'operator', 'grid', 'core'},
     'solvers/haar_cg/iteration': {'solvers/haar_cg/iteration', 'core'},
-    'solvers/haar_cg/tree': {'solvers/haar_cg/tree', 'solvers/haar_cg/threads', 'grid', 'core'},
-    'solvers/haar_cg/near': {'solvers', *HAAR_CG, 'solvers/haar_cg/threads', 'core'},
-    'solvers/haar_cg/plain': {'solvers/haar_cg/iteration', 'solvers/haar_cg/tree', 'solvers/haar_cg/plain'},
-    'solvers/haar_cg/threads': {'solvers', 'solvers/common', 'solvers/haar_cg/threads', 'core', *HAAR_CG},
+    'solvers/haar_cg/threads': {'solvers', 'solvers/haar_cg/threads', 'solvers/haar_cg/iteration', 'trees', 'core/vectors', 'core'},
+    'solvers/haar_cg/near': {'solvers', 'solvers/haar_cg/near', 'solvers/haar_cg/threads', 'core/vectors', 'core'},
+    'solvers/haar_cg/plain': {'solvers/haar_cg/iteration', 'trees', 'solvers/haar_cg/plain'},
+    'solvers/haar_cg': {'solvers', 'grid', 'trees', 'core', *(f'solvers/haar_cg{part}' for part in ('', '/iteration', '/threads', '/near'))},
     'contact/surface': {'contact/surface', 'operator', 'grid', 'core'},
     'contact': {'contact', 'contact/surface', 'operator', 'registry', 'kernel', 'grid', 'core', 'platform'},
     'contact/memory': {'contact/memory', 'contact', 'contact/surface', 'core'},
-    'contact/slopes': {'contact/slopes', 'contact/memory', 'contact', 'contact/surface', 'solvers/haar_cg/tree', 'operator', 'core'},
+    'contact/slopes': {'contact/slopes', 'contact/memory', 'contact', 'contact/surface', 'trees', 'operator', 'core'},
     'contact/proof': {'contact/proof', 'contact/slopes', 'contact', 'contact/surface', 'kernel', 'core'},
     'contact/sparse': {'contact/sparse', 'contact/proof', 'contact', 'contact/surface', 'grid', 'core'},
     'contact/step': {'contact/step', 'contact/sparse', 'contact/proof', 'contact/memory', 'contact', 'contact/surface', 'operator', 'core'},
@@ -53,8 +52,8 @@ OUTSIDE = {  # other folders: public headers they may include; besides, their ow
 }
 # What a folder outside src takes from it: headers alone, but for grid, platform, core/text.h and HAAR.
 # The parts of haar-cg that need no other part of the library: plugins that run its iteration on a machine of their own compile them.
-HAAR = {'solvers/problem.h', 'solvers/haar_cg/iteration/iteration.h', 'solvers/haar_cg/starts.h', 'solvers/haar_cg/tree/tree_inputs.h',
-        'solvers/haar_cg/tree/tree_shape.h', 'solvers/haar_cg/tree/algebra.inc'}
+HAAR = {'solvers/problem.h', 'solvers/haar_cg/iteration/iteration.h', 'solvers/haar_cg/starts.h', 'trees/tree_inputs.h', 'trees/tree_shape.h',
+        'trees/algebra.inc'}
 BESIDE = {'core', 'abi/own_guard.h', 'abi/sized_struct.h'}
 BORROWED = {'surface': BESIDE | {'grid'}, 'formats': BESIDE | {'platform'}, 'tools': {'core/text.h', 'platform'}, 'backends': {'platform', 'core/certificate_terms.h', 'core/start_terms.h'} | HAAR}
 WITHIN = {('cuda_host', 'cuda/tables.h')}  # one plugin, built twice
@@ -117,14 +116,15 @@ def cycle(name, graph):
         graphlib.TopologicalSorter(graph).prepare()
     except graphlib.CycleError as error:
         return [f'{name}: in a circle: {" <- ".join(error.args[1])}']
-    return [] if len(graph) > 1 else [f'{name}: no files']
+    return [] if len(graph) > 1 else [f'{name}: none']
 
 
 def main():
     root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else '.').resolve()
     package = root / 'bindings' / 'python' / 'roughcontact'
     modules = {file.stem: set(imports_of(file)) for file in package.glob('*.py')}
-    edges, forbidden = 0, [*cycle('headers of src', headers(root / 'src')), *cycle('the Python package', modules)]
+    layers = {folder: below - {folder} for folder, below in LAYERS.items()}
+    edges, forbidden = 0, [*cycle('layers', layers), *cycle('headers of src', headers(root / 'src')), *cycle('the Python package', modules)]
     for top in ['src', *OUTSIDE]:
         for path in sorted((root / top).rglob('*')):
             if not re.search(r'\.(c|cpp|h|hpp|def|in)$', path.name):
@@ -137,7 +137,7 @@ def main():
                 edges += 1
                 if not allowed(root, file, match[2], match[1] == '"') and (str(file), match[2]) not in EXCEPTIONS:
                     forbidden.append(f'{file}:{number}: must not include {match[2]}')
-    print('\n'.join(forbidden) or f'{edges} includes follow the layers; no header and no Python module reaches itself')
+    print('\n'.join(forbidden) or f'{edges} includes follow the layers; no layer, no header and no Python module reaches itself')
     return 1 if forbidden or not edges else 0
 
 

@@ -11,8 +11,8 @@
 #include "names.h"
 #include "session.h"
 #include "solvers/haar_cg/starts.h"
-#include "solvers/haar_cg/tree/tree_inputs.h"
 #include "trees.h"
+#include "trees/tree_inputs.h"
 
 namespace rc_cuda {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "runtime/device.h"
-#include "solvers/haar_cg/tree/tree_shape.h"
 #include "tree_passes.h"
+#include "trees/tree_shape.h"
 
 namespace rc_cuda {
 

@@ -3,6 +3,7 @@
 
 #include "common.h"
 #include "solvers/haar_cg/threads/pass_loops.h"
+#include "trees/tree_loops.h"
 
 namespace {
 
@@ -13,7 +14,7 @@ constexpr double no_cap = std::numeric_limits<double>::infinity();
 // Points in contact come in rows of 64.
 struct Unknowns {
   Unknowns(std::int64_t count, double share)
-      : n(count), in(size(n)), runs(size((n + rc::haar_run - 1) / rc::haar_run), rc::HaarRun::still) {
+      : n(count), in(size(n)), runs(size((n + rc::run_points - 1) / rc::run_points), rc::RunState::still) {
     for (std::int64_t i = 0; i < n; ++i) {
       const std::int64_t row = i / 64;
       if (static_cast<double>((row + 1) % 100) >= 100 * share && share < 1) continue;
@@ -21,7 +22,7 @@ struct Unknowns {
       in[size(i)] = 1;
       p[size(i)] = 1;
       w[size(i)] = z[size(i)] = t[size(i)] = q[size(i)] = static_cast<float>(some);
-      runs[size(i / rc::haar_run)] = rc::HaarRun::busy;
+      runs[size(i / rc::run_points)] = rc::RunState::busy;
       ++busy;
     }
   }
@@ -29,7 +30,7 @@ struct Unknowns {
 
   std::int64_t n, busy = 0;
   std::vector<std::uint8_t> in;
-  std::vector<rc::HaarRun> runs;
+  std::vector<rc::RunState> runs;
   std::vector<float> w = std::vector<float>(size(n), 1), z = std::vector<float>(size(n)), t = z, q = z, cut = z;
   std::vector<double> p = std::vector<double>(size(n)), u = std::vector<double>(size(n), 0.5), product = p;
 };
@@ -44,7 +45,7 @@ const char* bench_time_passes(std::int64_t n, double share, double budget, doubl
   return guarded([&] {
     Unknowns of(n, share);
     const auto loops = rc::best_haar_loops<float, double>();
-    const double each = 1.0 / rc::haar_run, contact = static_cast<double>(of.busy) / static_cast<double>(n);
+    const double each = 1.0 / rc::run_points, contact = static_cast<double>(of.busy) / static_cast<double>(n);
     int row = 0;
     const auto time = [&](double everywhere, double in_contact, const auto& work) {
       seconds[row] = best_time(budget, work);
@@ -58,7 +59,7 @@ const char* bench_time_passes(std::int64_t n, double share, double budget, doubl
       for (std::int64_t i = 0; i < n; ++i) of.cut.data()[i] = of.z.data()[i] + 3 * of.q.data()[i];
     });
     time(each, 17, [&] { loops.turn(n, of.z.data(), 0.3F, of.t.data(), of.w.data(), of.in.data(), of.runs.data()); });
-    time(1, 8, [&] { loops.inner(n, of.z.data(), of.q.data(), of.in.data()); });
+    time(1, 8, [&] { rc::best_haar_inner<float>()(n, of.z.data(), of.q.data(), of.in.data()); });
     time(12 + each, 20, [&] { loops.advance(n, 1e-9, of.t.data(), of.q.data(), of.p.data(), of.w.data(), of.runs.data()); });
     time(12 + each, 24, [&] {
       loops.advance_and_cut(n, 1e-9, of.t.data(), of.q.data(), of.p.data(), no_cap, of.w.data(), of.cut.data(), of.runs.data());

@@ -13,8 +13,8 @@
 
 #include "core/stall.h"
 #include "core/sums.h"
-#include "solvers/common/largest_eigenvalue.h"
-#include "solvers/common/residual.h"
+#include "solvers/largest_eigenvalue.h"
+#include "solvers/residual.h"
 #include "solvers/solver.h"
 
 namespace rc {

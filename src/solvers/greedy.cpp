@@ -15,7 +15,7 @@
 #include "core/stall.h"
 #include "core/sums.h"
 #include "core/text.h"
-#include "solvers/common/residual.h"
+#include "solvers/residual.h"
 #include "solvers/solver.h"
 
 namespace rc {

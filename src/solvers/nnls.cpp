@@ -15,9 +15,9 @@
 #include <numeric>
 
 #include "core/limits.h"
-#include "solvers/common/largest_eigenvalue.h"
-#include "solvers/common/residual.h"
 #include "solvers/gradient_projection.h"
+#include "solvers/largest_eigenvalue.h"
+#include "solvers/residual.h"
 #include "solvers/solver.h"
 
 namespace rc {

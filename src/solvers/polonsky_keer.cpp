@@ -9,7 +9,7 @@
 #include "core/limits.h"
 #include "core/stall.h"
 #include "core/sums.h"
-#include "solvers/common/residual.h"
+#include "solvers/residual.h"
 #include "solvers/solver.h"
 
 namespace rc {

@@ -2,14 +2,14 @@
 #pragma once
 
 #include "kernels/passes.h"
-#include "solvers/haar_cg/tree/tree_shape.h"
+#include "trees/tree_shape.h"
 
 namespace rc_cuda {
 
 RC_ANYWHERE inline int integers(float value) { return static_cast<int>(value); }
 RC_ANYWHERE inline float numbers(int value) { return static_cast<float>(value); }
 #define RC_ALGEBRA RC_ANYWHERE inline
-#include "solvers/haar_cg/tree/algebra.inc"
+#include "trees/algebra.inc"
 #undef RC_ALGEBRA
 
 struct Level {

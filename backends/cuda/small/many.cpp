@@ -8,8 +8,8 @@
 #include "session.h"
 #include "small/contact.h"
 #include "small/spectrum.h"
-#include "solvers/haar_cg/tree/tree_inputs.h"
 #include "trees.h"
+#include "trees/tree_inputs.h"
 
 namespace rc_cuda {
 

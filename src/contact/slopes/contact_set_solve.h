@@ -15,8 +15,8 @@
 
 #include "core/company.h"
 #include "operator/operator.h"
-#include "solvers/haar_cg/tree/tree_inputs.h"
-#include "solvers/haar_cg/tree/tree_pair.h"
+#include "trees/tree_inputs.h"
+#include "trees/tree_pair.h"
 
 namespace rc {
 

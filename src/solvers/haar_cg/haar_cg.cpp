@@ -14,8 +14,8 @@
 #include "solvers/haar_cg/single_pressures.h"
 #include "solvers/haar_cg/starts.h"
 #include "solvers/haar_cg/threads/thread_machine.h"
-#include "solvers/haar_cg/tree/tree_inputs.h"
 #include "solvers/solver.h"
+#include "trees/tree_inputs.h"
 
 namespace rc {
 

@@ -4,8 +4,8 @@
 #include <span>
 
 #include "solvers/haar_cg/iteration/task.h"
-#include "solvers/haar_cg/tree/tree_inputs.h"
 #include "solvers/problem.h"
+#include "trees/tree_inputs.h"
 
 namespace rc {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "solvers/haar_cg/threads/matrix_loops.h"
+#include "solvers/haar_cg/near/matrix_loops.h"
 
 namespace rc {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/sums.h"
-#include "solvers/haar_cg/threads/matrix_loops.h"
+#include "solvers/haar_cg/near/matrix_loops.h"
 #include "solvers/haar_cg/threads/pass_loops.h"
 
 namespace rc {

@@ -17,7 +17,7 @@
 #include <numbers>
 #include <vector>
 
-#include "solvers/haar_cg/tree/tree_inputs.h"
+#include "trees/tree_inputs.h"
 
 namespace rc {
 

@@ -40,12 +40,12 @@ ThreadMachine<Real, Pressure>::ThreadMachine(const Problem& problem, Pressure* p
       trees_(std::move(trees)),
       n_(problem.size()),
       chunks_(Chunks::of(ranks, problem.grid()->nx)),
-      chunk_runs_((chunks_.values + haar_run - 1) / haar_run),
+      chunk_runs_((chunks_.values + run_points - 1) / run_points),
       margin_(ranks ? (static_cast<std::size_t>(problem.grid()->nx) * sizeof(Real) + line - 1) / line * line : 0),
       cap_(static_cast<Pressure>(problem.cap())),  // the largest pressure that there is
       p_(p),
       reached_(static_cast<std::size_t>(chunks_.count(n_))),
-      runs_(static_cast<std::size_t>(chunks_.count(n_) * chunk_runs_), HaarRun::busy) {
+      runs_(static_cast<std::size_t>(chunks_.count(n_) * chunk_runs_), RunState::busy) {
   const auto count = static_cast<std::size_t>(n_);
   const std::size_t shared =
       std::max({count * sizeof(Pressure), 2 * count * sizeof(Real), count * sizeof(Real) + trees_.bytes()});
@@ -76,9 +76,9 @@ void ThreadMachine<Real, Pressure>::with_u(std::int64_t begin, std::int64_t n, c
   double room[piece];
   for (std::int64_t i = begin; i < begin + n; i += piece) {
     const std::int64_t count = std::min(piece, begin + n - i);
-    for (std::int64_t from = 0; !u && from < count; from += haar_run) {
+    for (std::int64_t from = 0; !u && from < count; from += run_points) {
       if (!wanted(i + from)) continue;
-      const std::int64_t to = std::min(from + haar_run, count);
+      const std::int64_t to = std::min(from + run_points, count);
       gap.visit([&](const auto* h) {
         if (grid.index)
           for (std::int64_t k = from; k < to; ++k) room[k] = (approach - h[grid.index[i + k]]) * per_length;
@@ -135,14 +135,14 @@ HaarMeasure ThreadMachine<Real, Pressure>::measure(typename Loops::Measure Loops
   const bool everywhere = loop != &Loops::add && loop != &Loops::lower;
   const auto body = [&](std::int64_t begin, std::int64_t n) {
     const Loops& loops = loops_at(begin);
-    const HaarRun* const runs = runs_at(begin);
+    const RunState* const runs = runs_at(begin);
     const auto read = [&, all = everywhere || &loops == &capped_loops_](std::int64_t i) {
-      return all || runs[(i - begin) / haar_run] == HaarRun::busy;
+      return all || runs[(i - begin) / run_points] == RunState::busy;
     };
     HaarMeasure total;
     with_u(begin, n, read, [&](std::int64_t i, std::int64_t count, const double* u) {
       total = sum_of_two(total, (loops.*loop)(count, w_ + i, change ? change + i : nullptr, product ? product + i : nullptr,
-                                              shift, u, p_ + i, cap_, runs + (i - begin) / haar_run));
+                                              shift, u, p_ + i, cap_, runs + (i - begin) / run_points));
     });
     return total;
   };
@@ -236,7 +236,7 @@ template <class Real, class Pressure> double ThreadMachine<Real, Pressure>::near
 }
 
 template <class Real, class Pressure> double ThreadMachine<Real, Pressure>::inner(Vector a, Vector b) {
-  return sum<double>([&](std::int64_t i, std::int64_t n) { return loops_.inner(n, a + i, b + i, active_ + i); });
+  return sum<double>([&](std::int64_t i, std::int64_t n) { return inner_(n, a + i, b + i, active_ + i); });
 }
 
 template <class Real, class Pressure> template <class Value> double ThreadMachine<Real, Pressure>::total(Value* x) {

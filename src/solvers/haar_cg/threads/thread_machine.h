@@ -13,8 +13,8 @@
 
 #include "core/chunks.h"
 #include "solvers/haar_cg/threads/pass_loops.h"
-#include "solvers/haar_cg/tree/tree_pair.h"
 #include "solvers/solver.h"
+#include "trees/tree_pair.h"
 
 namespace rc {
 
@@ -63,7 +63,7 @@ template <class R, class Pressure = double> class ThreadMachine {
 
   // The loops for the chunk that begins here, and its runs.
   const Loops& loops_at(std::int64_t begin) const;
-  HaarRun* runs_at(std::int64_t begin) { return runs_.data() + begin / chunks_.values * chunk_runs_; }
+  RunState* runs_at(std::int64_t begin) { return runs_.data() + begin / chunks_.values * chunk_runs_; }
   std::uint8_t& reached_at(std::int64_t i) { return reached_[static_cast<std::size_t>(i / chunks_.values)]; }
   template <class Act> void each(const Act& act) { each_chunk(n_, team_, act, chunks_); }
   template <class Part, class Body, class Combine = std::plus<>>
@@ -79,6 +79,7 @@ template <class R, class Pressure = double> class ThreadMachine {
   const rc_team& team_;
   HaarTreePair trees_;
   const Loops loops_ = best_haar_loops<Real, Pressure>(), capped_loops_ = best_haar_loops<Real, Pressure>(true);
+  const HaarInner<Real> inner_ = best_haar_inner<Real>();
   const std::int64_t n_;
   const Chunks chunks_;
   const std::int64_t chunk_runs_;  // of a chunk
@@ -86,7 +87,7 @@ template <class R, class Pressure = double> class ThreadMachine {
   const double cap_;
   Pressure* const p_;
   std::vector<std::uint8_t> reached_;  // for each chunk: some of its pressures are, or were, at the cap
-  std::vector<HaarRun> runs_;          // of the free set, [chunk][run]
+  std::vector<RunState> runs_;         // of the free set, [chunk][run]
   // First the spare memory, for two vectors of Real, or one of double, or one of Real and after it the trees; then w, t, q (where
   // it has no room elsewhere) and the free set.
   std::unique_ptr<std::byte[]> memory_;

@@ -10,8 +10,8 @@
 #include "kernel/kernel.h"
 #include "solvers/haar_cg/iteration/iteration.h"
 #include "solvers/haar_cg/plain/machine.h"
-#include "solvers/haar_cg/tree/tree_inputs.h"
 #include "support/cmocka.hpp"
+#include "trees/tree_inputs.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "solvers/haar_cg/tree/tree_inputs.h"
+#include "trees/tree_inputs.h"
 
 #include <algorithm>
 #include <cmath>

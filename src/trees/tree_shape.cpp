@@ -1,4 +1,4 @@
-#include "solvers/haar_cg/tree/tree_shape.h"
+#include "trees/tree_shape.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "core/ranks.h"
-#include "solvers/haar_cg/threads/tree_loops.h"
-#include "solvers/haar_cg/tree/tree_inputs.h"
-#include "solvers/haar_cg/tree/tree_shape.h"
+#include "trees/tree_inputs.h"
+#include "trees/tree_loops.h"
+#include "trees/tree_shape.h"
 
 namespace rc {
 

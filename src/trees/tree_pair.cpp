@@ -1,4 +1,4 @@
-#include "solvers/haar_cg/tree/tree_pair.h"
+#include "trees/tree_pair.h"
 
 #include <algorithm>
 #include <cstring>
@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/sums.h"
-#include "solvers/haar_cg/threads/pass_loops.h"
 
 namespace rc {
 
@@ -205,7 +204,7 @@ double HaarTreePair::apply(Real* g, const std::uint8_t* active, Real* z, const R
   }
 
   const bool parallel = worth_sharing(0);
-  const auto inner = best_haar_loops<Real, double>().inner;
+  const HaarInner<Real> inner = best_haar_inner<Real>();
   std::int64_t piece = chunk;  // unknowns of a partial sum
   if (tree_[0].full()) {
     piece = (ranks_ ? ranks_->piece_rows() : HaarTree::rows_per_part(tree_[0].columns())) * tree_[0].columns();

@@ -1,4 +1,4 @@
-#include "solvers/haar_cg/tree/tree.h"
+#include "trees/tree.h"
 
 #include <algorithm>
 #include <cstring>

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "solvers/haar_cg/tree/tree.h"
+#include "trees/tree.h"
 
 namespace rc {
 

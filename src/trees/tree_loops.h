@@ -3,11 +3,11 @@
 
 #include <cstdint>
 
-#include "solvers/haar_cg/tree/tree_shape.h"
+#include "trees/tree_shape.h"
 
 namespace rc {
 
-// Eight blocks: w and m as tree/algebra.inc stores them.
+// Eight blocks: w and m as algebra.inc stores them.
 struct HaarBlocks {
   std::int16_t w[4][8];
   std::uint16_t m[6][8];
@@ -40,7 +40,11 @@ template <class Real> struct HaarFinest {
                const Real* first, const Real* second, const float* above, Real scale, bool add, Real* z_first, Real* z_second);
 };
 
+// (a, b), where a is 0 off the free set, which is `active`.
+template <class Real> using HaarInner = double (*)(std::int64_t n, const Real* a, const Real* b, const std::uint8_t* active);
+
 HaarRows best_haar_rows();
 template <class Real> HaarFinest<Real> best_haar_finest();
+template <class Real> HaarInner<Real> best_haar_inner();
 
 }  // namespace rc

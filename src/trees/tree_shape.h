@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "solvers/haar_cg/tree/tree_inputs.h"
+#include "trees/tree_inputs.h"
 
 namespace rc {
 

@@ -3,7 +3,7 @@
 
 #include <roughcontact/plugin.h>
 
-#include "solvers/haar_cg/tree/tree.h"
+#include "trees/tree.h"
 
 namespace rc {
 

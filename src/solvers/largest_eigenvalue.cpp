@@ -1,4 +1,4 @@
-#include "solvers/common/largest_eigenvalue.h"
+#include "solvers/largest_eigenvalue.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "solvers/common/residual.h"
+#include "solvers/residual.h"
 
 #include <algorithm>
 #include <cmath>
