@@ -102,10 +102,11 @@ RC_API rc_status rc_conductance(const rc_system *system, const rc_result *result
 /** dW/dd of a rigid flat punch that touches exactly the points where mask [nx*ny] is not 0 (NULL: all): hx hy times the sum of
  *  the pressures x with H x = 1 on these points, which may pull; a hardness does not count. Any operator, boundary and kernel.
  *  A contact whose points below the hardness are these has this rc_result.stiffness, and it grows with the set. *stiffness
- *  [force/length]: to option tol or closer; 0 without points. Periodic: infinite for all points, finite for fewer.
- *  *lower, *upper (NULL: not wanted): the exact one lies between them; NaN where no bound of H's eigenvalues is known. options may
- *  be NULL; those of products and operators, tol, threads and time_limit are used. Status: RC_STOP_STALLED: written, round-off
- *  may keep a larger error, which the interval counts. RC_STOP_TIME: nothing is written. Errors: as rc_contact_create. */
+ *  [force/length]: to option tol of its value or closer, see rc_result.stiffness; 0 without points. Periodic: infinite for all
+ *  points, finite for fewer. *lower, *upper (NULL: not wanted): the exact one lies between them; NaN where no bound of H's
+ *  eigenvalues is known. options may be NULL; those of products and operators, tol, threads and time_limit are used. Status:
+ *  RC_STOP_STALLED: written, round-off may keep a larger error, which the interval counts. RC_STOP_TIME: nothing is written.
+ *  Errors: as rc_contact_create. */
 RC_API rc_status rc_punch_stiffness(const rc_system *system, const uint8_t *mask, const rc_options *options, double *stiffness,
                                     double *lower, double *upper);
 /** @} */
