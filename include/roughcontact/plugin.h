@@ -456,10 +456,10 @@ typedef struct rc_solver {
 
   /* Many contacts at once, optional */
   /** Solves and certifies many at once, by products of its own; its answer for one contact does not depend on the others. The core
-   *  checks the answers: all against their pressures, and by products of its own the residuals of one contact in 64, chosen at
-   *  random afterwards, and of each that reports a residual above tol/2. If one is not as reported, the core drops the whole call
-   *  and solves its contacts one at a time, as it does with those that are not solved, or with all after a status other than
-   *  RC_OK. Several threads may call it at the same time. */
+   *  checks the answers: all against their pressures, and by products of its own the residuals of one contact in 64, but of 8 at
+   *  least (all if there are fewer), chosen at random afterwards, and of each that reports a residual above tol/2. If one is not as
+   *  reported, the core drops the whole call and solves its contacts one at a time, as it does with those that are not solved, or
+   *  with all after a status other than RC_OK. Several threads may call it at the same time. */
   rc_status (*solve_many)(const rc_host *, rc_many *, const rc_options *);
 } rc_solver;
 
