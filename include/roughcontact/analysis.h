@@ -60,7 +60,7 @@ typedef struct rc_histogram {
 typedef struct rc_crossing {
   size_t struct_size;
   int32_t contact_x, contact_y; /* 1: a connected part of the contact connects the sides along x, along y; 0: none   */
-  int32_t gap_x, gap_y; /* the same for the points without contact                                                   */
+  int32_t gap_x, gap_y; /* the same for the points without contact: 1 if a fluid can flow along x, along y            */
 } rc_crossing;
 #define RC_CROSSING_INIT RC_BEGIN(rc_crossing)
 
@@ -84,9 +84,11 @@ RC_API rc_status rc_area_measure(const rc_system *system, const double *p, const
 RC_API rc_status rc_patches_find(const rc_system *system, const double *p, const uint8_t *mask, rc_patches *out);
 /** Pressure histogram. Sums to 1 with `above`, see rc_histogram. */
 RC_API rc_status rc_histogram_fill(const rc_system *system, const double *p, const uint8_t *mask, rc_histogram *out);
-/** Percolation of contact and gap. A connected part crosses a free grid if it touches both opposite sides, and a periodic one if
- *  it connects with itself after one period. Points are connected across edges; a masked point is neither contact
- *  nor gap. Memory: 32 bytes for each row of neighbouring cells in contact, or of those without. */
+/** Percolation of contact and gap. A connected part crosses along an axis if it touches both sides of the grid at the ends of this
+ *  axis. These two sides are never joined, whatever the boundary: they are the inlet and the outlet of a seal. The other two sides
+ *  are joined if the boundary repeats along the other axis, so a channel may leave at one and come back at the other. Points are
+ *  connected across edges; a masked point is neither contact nor gap. Memory: 32 bytes for each row of neighbouring cells in
+ *  contact, or of those without. */
 RC_API rc_status rc_crossing_find(const rc_system *system, const double *p, const uint8_t *mask, rc_crossing *out);
 /** Electrical or thermal conductance of the contact between two half-spaces: 2 / (E* (rho1 + rho2)) dW/dd (Barber, Proc. R. Soc.
  *  Lond. A 459 (2003) 53). For a circular spot that is Holm's 4 radius / (rho1 + rho2). system: HALFSPACE, its modulus counts.

@@ -177,12 +177,13 @@ class Result(Answer):
 
     @property
     def contact_crosses(self) -> str:
-        """Axes along which the contact connects opposite sides: "none", "x", "y" or "xy"."""
+        """Axes along which the contact connects opposite sides: "none", "x", "y" or "xy"; see `gap_crosses`."""
         return self._measured.contact_crosses
 
     @property
     def gap_crosses(self) -> str:
-        """Axes along which the open gap connects opposite sides; with "none" nothing leaks."""
+        """Axes along which the open gap connects the side where a fluid enters with the opposite one: "none", "x", "y" or "xy". The
+        map repeats across the axis if its boundary does, never along it. With "none" nothing leaks."""
         return self._measured.gap_crosses
 
     @cached_property
