@@ -493,7 +493,7 @@ typedef struct rc_kernel_bounds {
 
 /** A kernel: what unit pressure on a cell deflects, times the modulus. Functions are called from several threads at the same
  *  time; what they return depends on the spec only. The library checks the values: RC_ERR_NUMERIC if H cannot be positive
- *  definite or a promise is seen to be broken. */
+ *  definite or a promise is seen to be broken; the message has the offsets and values. */
 struct rc_kernel {
   size_t struct_size;
 
@@ -506,7 +506,8 @@ struct rc_kernel {
   const rc_option_spec *const *options; /* keys "<name>.<key>"; all are fixed when a contact is made                     */
   /** RC_KERNEL_FREE or _SEMI_PERIODIC, else NULL: coefficients at the offsets (first_x + ix, first_y + iy) cells,
    *  0 <= ix < mx, 0 <= iy < my, into out[iy*mx + ix] [length]. A value depends on its offset, not on the window. Those at -x
-   *  and -y are equal. On a grid that repeats along x those at x and nx - x are, too. */
+   *  and -y are equal. On a grid that repeats along x, values at x and nx - x are equal as well (along y: y and ny - y). The
+   *  library compares all that it uses, so it asks such a kernel for both; they may differ by 1e-11 of the value at (0, 0). */
   rc_status (*window)(const rc_host *, const rc_kernel_spec *, int64_t first_x, int64_t first_y, int64_t mx, int64_t my,
                       double *out);
   /** RC_KERNEL_PERIODIC, else NULL: eigenvalues of H at wave numbers kx = 0..nx/2, ky = 0..ny/2 into out[ky*(nx/2+1) + kx]

@@ -1,4 +1,5 @@
 // Kernels from outside: what they give, and which descriptions are refused.
+#include <algorithm>
 #include <functional>
 
 #include "kernel_scene.h"
@@ -130,6 +131,74 @@ void boundaries_and_cells_are_checked(void**) {
   rc_options_destroy(options);
 }
 
+// exp(-|x| - |y|) on a grid that repeats along one axis, spoilt where the test says.
+rc_status strip_window(const rc_host*, const rc_kernel_spec* spec, std::int64_t first_x, std::int64_t first_y, std::int64_t mx,
+                       std::int64_t my, double* out) {
+  const rc_system& s = *spec->system;
+  const auto folded = [](std::int64_t offset, std::int64_t period) {
+    return std::min(offset % period, period - offset % period);
+  };
+  for (std::int64_t iy = first_y; iy < first_y + my; ++iy)
+    for (std::int64_t ix = first_x; ix < first_x + mx; ++ix) {
+      const std::int64_t x = s.boundary == RC_BOUNDARY_PERIODIC_X ? folded(ix, s.nx) : ix,
+                         y = s.boundary == RC_BOUNDARY_PERIODIC_Y ? folded(iy, s.ny) : iy;
+      *out++ = (ix == of(spec).x && iy == of(spec).y ? of(spec).factor : 1) * std::exp(-static_cast<double>(x + y));
+    }
+  return RC_OK;
+}
+
+rc_kernel strip(Spoilt& spoilt) {
+  rc_kernel kernel = decay(spoilt);
+  kernel.caps = RC_KERNEL_FREE | RC_KERNEL_SEMI_PERIODIC;
+  kernel.window = strip_window;
+  kernel.symbol = nullptr;
+  return kernel;
+}
+
+// Wherever the false coefficient lies, also where a transform does not read it.
+void coefficients_of_a_period_must_be_symmetric(void**) {
+  for (const char* backend : {"dense", "fft", "auto"})
+    for (const std::int32_t boundary : {RC_BOUNDARY_PERIODIC_X, RC_BOUNDARY_PERIODIC_Y}) {
+      const bool along_x = boundary == RC_BOUNDARY_PERIODIC_X;
+      const auto pressed = [&](Spoilt spoilt) {
+        const Registry registry("");
+        const rc_kernel kernel = strip(spoilt);
+        assert_int_equal(add(registry, kernel), RC_OK);
+        return Pressed(registry, {{RC_OPT_KERNEL, "decay"}, {RC_OPT_BACKEND, backend}}, boundary).status;
+      };
+      assert_int_equal(pressed({}), RC_OK);
+      assert_int_equal(pressed({.x = 3, .y = 3, .factor = 1 + 1e-13}), RC_OK);
+      for (const std::int64_t along : {1, 4, 5, 7, 11})
+        for (const std::int64_t across : {0, 2, 11}) {
+          const std::int64_t x = along_x ? along : across, y = along_x ? across : along;
+          assert_int_equal(pressed({.x = x, .y = y, .factor = 0.9}), RC_ERR_NUMERIC);
+          assert_message_has("kernel \"decay\": the coefficients at offsets (");
+          const auto place = [](std::int64_t at_x, std::int64_t at_y) {
+            return "(" + std::to_string(at_x) + ", " + std::to_string(at_y) + ")";
+          };
+          assert_message_has(place(x, y).c_str());
+          assert_message_has(place(along_x ? side - x : x, along_x ? y : side - y).c_str());
+          assert_message_has(along_x ? "the grid repeats after 12 points along x" : "the grid repeats after 12 points along y");
+        }
+    }
+}
+
+void coefficients_must_not_depend_on_the_window(void**) {
+  const Registry registry("", RC_CONTEXT_NO_PLUGINS);
+  Spoilt spoilt;
+  rc_kernel kernel = decay(spoilt);
+  kernel.window = [](const rc_host* host, const rc_kernel_spec* spec, std::int64_t first_x, std::int64_t first_y, std::int64_t mx,
+                     std::int64_t my, double* out) {
+    decay_window(host, spec, first_x, first_y, mx, my, out);
+    for (std::int64_t i = 0; i < mx * my; ++i) out[i] /= first_x == 0 ? 1 : 2;
+    return rc_status{RC_OK};
+  };
+  assert_int_equal(add(registry, kernel), RC_OK);
+  assert_int_equal(Pressed(registry, {{RC_OPT_KERNEL, "decay"}}).status, RC_ERR_NUMERIC);
+  assert_message_has("kernel \"decay\": the coefficient at offset (1, 0) is ");
+  assert_message_has("must not depend on the window");
+}
+
 void a_backend_that_needs_the_far_field_is_passed_over(void**) {
   const Registry registry("");
   Spoilt sound;
@@ -156,6 +225,8 @@ const std::vector<CMUnitTest> kernel_tests = {
     cmocka_unit_test(its_options_are_fixed),
     cmocka_unit_test(spoilt_kernels_are_refused),
     cmocka_unit_test(boundaries_and_cells_are_checked),
+    cmocka_unit_test(coefficients_of_a_period_must_be_symmetric),
+    cmocka_unit_test(coefficients_must_not_depend_on_the_window),
     cmocka_unit_test(a_backend_that_needs_the_far_field_is_passed_over),
 };
 
