@@ -471,6 +471,8 @@ typedef struct rc_solver {
 #define RC_KERNEL_FAR_FIELD (UINT64_C(1) << 4) /* from 16 cells on it deflects as loads on the half-space near the cell's
                                                   centre would, to 1e-9                                                  */
 #define RC_KERNEL_SEMI_PERIODIC (UINT64_C(1) << 5) /* grids that repeat along one axis: has window()                     */
+#define RC_KERNEL_HOMOGENEOUS (UINT64_C(1) << 6) /* H is that of a homogeneous elastic half-space, but for what the cells leave out;
+                                                without it contacts have no conductance                               */
 
 typedef struct rc_kernel rc_kernel;
 

@@ -230,7 +230,8 @@ typedef struct rc_result {
 
   /* The answer */
   rc_status status;    /* as returned; failed until an answer is written                                             */
-  int32_t reserved;    /* 0                                                                                          */
+  int32_t homogeneous; /* 1: H is that of a homogeneous half-space, so that a conductance follows from the stiffness;
+                          0: it is not known to be: a caller's matrix or product, a kernel without RC_KERNEL_HOMOGENEOUS */
   double load;         /* hx hy sum(p) [force]                                                                       */
   double approach;     /* d [length]. Periodic boundaries: the change of the mean gap, mean(h) - mean(g) = d, if no point is
                           masked or at the hardness; nothing need be subtracted from it. Free boundaries: it includes the

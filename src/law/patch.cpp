@@ -109,6 +109,7 @@ LawSample LawPatch::solve(std::int32_t control, double target) {
   if (!gap_.empty()) result.gap.data = gap_.data();
   must(rc_contact_solve(contact_.get(), &step, &result));
   placed_ = true;
+  homogeneous_ = result.homogeneous == 1;
   ++solves_;
 
   LawSample sample = origin();

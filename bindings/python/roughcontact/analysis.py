@@ -202,15 +202,16 @@ def crossing(pressure: ArrayLike, *, pitch: Pitch = 1.0, periodic: Repeats = Fal
 def conductance(result: Any, rho1: float, rho2: float) -> Conductance:
     """Electrical or thermal conductance of a contact of half-spaces, 2 / (E* (rho1 + rho2)) dW/dd (Barber 2003).
 
-    result: a `Result` with option stiffness 1 or 2; rho1, rho2: resistivities of the bodies, or reciprocals of their thermal
-        conductivities
+    result: a `Result` with option stiffness 1 or 2, of a homogeneous half-space (`Result.homogeneous`)
+    rho1, rho2: resistivities of the bodies, or reciprocals of their thermal conductivities
     """
     if result.grid.modulus is None:
-        raise ArgumentError("the result is not of a HalfSpace, whose modulus the conductance needs")
+        raise ArgumentError("the result is not of a HalfSpace: no conductance follows from the stiffness of your own matrix or product")
     system = grid_struct(result.grid.shape, result.grid.pitch, result.grid.periodic)
     system.op, system.modulus = _constants.RC_OPERATOR_HALFSPACE, result.grid.modulus
     names = ("stiffness", "stiffness_lower", "stiffness_upper")
-    struct = given(rc_result(), **{name: getattr(result, name) for name in names})
+    struct = given(rc_result(), **{name: getattr(result, name) for name in (*names, "homogeneous")})
+    struct.kernel = result.kernel.encode()
     found = [ctypes.c_double() for _ in names]
     check(contact_library().rc_conductance(system, struct, float(rho1), float(rho2), *found))
     return Conductance(*(each.value for each in found))
