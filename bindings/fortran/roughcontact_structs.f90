@@ -45,7 +45,7 @@ module roughcontact_structs
     integer(c_size_t) :: struct_size = merge(616, 596, c_intptr_t == 8)
     type(rc_array) :: p = rc_array(), gap = rc_array()
     integer(rc_status) :: status = RC_ERR_ARGUMENT
-    integer(c_int32_t) :: reserved = 0
+    integer(c_int32_t) :: homogeneous = 0
     real(c_double) :: load = 0, approach = 0, mean_pressure = 0, max_pressure = 0, contact_area = 0, area_fraction = 0, &
       mean_gap = 0, energy = 0
     integer(c_int64_t) :: contacts = 0

@@ -60,7 +60,7 @@ typedef struct rc_histogram {
 typedef struct rc_crossing {
   size_t struct_size;
   int32_t contact_x, contact_y; /* 1: a connected part of the contact connects the sides along x, along y; 0: none   */
-  int32_t gap_x, gap_y; /* the same for the points without contact                                                   */
+  int32_t gap_x, gap_y; /* the same for the points without contact: 1 if a fluid can flow along x, along y            */
 } rc_crossing;
 #define RC_CROSSING_INIT RC_BEGIN(rc_crossing)
 
@@ -84,16 +84,20 @@ RC_API rc_status rc_area_measure(const rc_system *system, const double *p, const
 RC_API rc_status rc_patches_find(const rc_system *system, const double *p, const uint8_t *mask, rc_patches *out);
 /** Pressure histogram. Sums to 1 with `above`, see rc_histogram. */
 RC_API rc_status rc_histogram_fill(const rc_system *system, const double *p, const uint8_t *mask, rc_histogram *out);
-/** Percolation of contact and gap. A connected part crosses a free grid if it touches both opposite sides, and a periodic one if
- *  it connects with itself after one period. Points are connected across edges; a masked point is neither contact
- *  nor gap. Memory: 32 bytes for each row of neighbouring cells in contact, or of those without. */
+/** Percolation of contact and gap. A connected part crosses along an axis if it touches both sides of the grid at the ends of this
+ *  axis. These two sides are never joined, whatever the boundary: they are the inlet and the outlet of a seal. The other two sides
+ *  are joined if the boundary repeats along the other axis, so a channel may leave at one and come back at the other. Points are
+ *  connected across edges; a masked point is neither contact nor gap. Memory: 32 bytes for each row of neighbouring cells in
+ *  contact, or of those without. */
 RC_API rc_status rc_crossing_find(const rc_system *system, const double *p, const uint8_t *mask, rc_crossing *out);
 /** Electrical or thermal conductance of the contact between two half-spaces: 2 / (E* (rho1 + rho2)) dW/dd (Barber, Proc. R. Soc.
  *  Lond. A 459 (2003) 53). For a circular spot that is Holm's 4 radius / (rho1 + rho2). system: HALFSPACE, its modulus counts.
- *  result: of a step with option stiffness = 1 or 2. rho1, rho2 >= 0, not both 0: resistivities of the bodies, or reciprocals of
- *  their thermal conductivities. Units: dW/dd / E* is a length, so ohm m give 1/ohm, and m K/W give W/K. *conductance: infinite
- *  in full periodic contact, because nothing constricts the flow. *lower, *upper (NULL: not wanted): the exact
- *  conductance lies between them; NaN where the result proves no interval. Errors: ARGUMENT. */
+ *  result: of a step with option stiffness = 1 or 2, and with rc_result.homogeneous = 1: the relation holds for homogeneous
+ *  half-spaces, not for a layer, where heat and elastic deflection spread differently. rho1, rho2 >= 0, not both 0:
+ *  resistivities of the bodies, or reciprocals of their thermal conductivities. Units: dW/dd / E* is a length, so ohm m give
+ *  1/ohm, and m K/W give W/K. *conductance: infinite in full periodic contact, because nothing constricts the flow. *lower,
+ *  *upper (NULL: not wanted): the exact conductance lies between them; NaN where the result proves no interval. Errors:
+ *  ARGUMENT. */
 RC_API rc_status rc_conductance(const rc_system *system, const rc_result *result, double rho1, double rho2, double *conductance,
                                 double *lower, double *upper);
 /** @} */
@@ -102,10 +106,11 @@ RC_API rc_status rc_conductance(const rc_system *system, const rc_result *result
 /** dW/dd of a rigid flat punch that touches exactly the points where mask [nx*ny] is not 0 (NULL: all): hx hy times the sum of
  *  the pressures x with H x = 1 on these points, which may pull; a hardness does not count. Any operator, boundary and kernel.
  *  A contact whose points below the hardness are these has this rc_result.stiffness, and it grows with the set. *stiffness
- *  [force/length]: to option tol or closer; 0 without points. Periodic: infinite for all points, finite for fewer.
- *  *lower, *upper (NULL: not wanted): the exact one lies between them; NaN where no bound of H's eigenvalues is known. options may
- *  be NULL; those of products and operators, tol, threads and time_limit are used. Status: RC_STOP_STALLED: written, round-off
- *  may keep a larger error, which the interval counts. RC_STOP_TIME: nothing is written. Errors: as rc_contact_create. */
+ *  [force/length]: to option tol of its value or closer, see rc_result.stiffness; 0 without points. Periodic: infinite for all
+ *  points, finite for fewer. *lower, *upper (NULL: not wanted): the exact one lies between them; NaN where no bound of H's
+ *  eigenvalues is known. options may be NULL; those of products and operators, tol, threads and time_limit are used. Status:
+ *  RC_STOP_STALLED: written, round-off may keep a larger error, which the interval counts. RC_STOP_TIME: nothing is written.
+ *  Errors: as rc_contact_create. */
 RC_API rc_status rc_punch_stiffness(const rc_system *system, const uint8_t *mask, const rc_options *options, double *stiffness,
                                     double *lower, double *upper);
 /** @} */

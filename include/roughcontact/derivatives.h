@@ -25,8 +25,9 @@ extern "C" {
  *  Status: RC_OK: solved to a relative residual of 300 tol, but of 1e-11 at least and 1e-4 at most. RC_STOP_STALLED: written,
  *  round-off kept a larger residual; `error` counts it. Other positive values: stopped. Nothing is written by a call that fails or
  *  is stopped.
- *  Errors: ARGUMENT (the step did not return RC_OK, NaN or infinite input, load control with load 0: no point carries pressure),
- *  INCOMPATIBLE, MEMORY, NUMERIC, EXTERNAL, BUSY.
+ *  Errors: ARGUMENT (the step did not return RC_OK; NaN or infinite input; load control if no point carries pressure, or if
+ *  each point that does is at the hardness: the load does not determine the approach then), INCOMPATIBLE, MEMORY, NUMERIC,
+ *  EXTERNAL, BUSY.
  *  @{ */
 
 /** Reverse mode: the derivatives of one number J that is computed from the step's answer. The caller sets how J changes with each

@@ -77,7 +77,8 @@ typedef struct rc_law_info {
   double width_conductance; /* the same of the conductance. A slope that jumps, where points touch, keeps it from 0   */
   double width_area;     /* the same of the contact area                                                              */
   double energy_error;   /* largest difference between the integral and a node's own energy, over the latter; 0 with MEAN */
-  double modulus, hardness, area, bulk_stiffness; /* as given; the area is never 0                                    */
+  double modulus;        /* E* of a homogeneous half-space; 0: no conductance follows from the slope, see rc_result.homogeneous */
+  double hardness, area, bulk_stiffness; /* as given; the area is never 0                                             */
   double mean_gap;       /* mean of the undeformed gap, from its lowest point on, over points that are not masked     */
   double x_lower, x_upper, p_lower, p_upper; /* first node after the origin, and last node                            */
 } rc_law_info;
@@ -112,7 +113,7 @@ RC_API rc_status rc_law_pressures(const rc_law *law, int64_t n, const double *x,
 /** The overclosure of a nominal pressure: the inverse. */
 RC_API rc_status rc_law_overclosure(const rc_law *law, double p, double *x);
 /** Electrical or thermal conductance per nominal area at a nominal pressure, 2 slope / (E* (rho1 + rho2)), as rc_conductance.
- *  Errors: ARGUMENT (also if the system has no modulus). */
+ *  Errors: ARGUMENT (also if rc_law_info.modulus is 0). */
 RC_API rc_status rc_law_gap_conductance(const rc_law *law, double p, double rho1, double rho2, double *conductance);
 
 /** Every quantity of a law at one overclosure. The library writes every member. */
@@ -122,8 +123,8 @@ typedef struct rc_law_point {
   double slope;          /* dp/dx [force/length^3]                                                                    */
   double energy;         /* integral of p over x [force/length]                                                       */
   double area_fraction, area_lower, area_upper; /* contact area over nominal area                                     */
-  double conductance, conductance_lower, conductance_upper; /* 2 slope / E* [1/length], to be divided by rho1 + rho2; NaN if the
-                            system has no modulus                                                                     */
+  double conductance, conductance_lower, conductance_upper; /* 2 slope / E* [1/length], to be divided by rho1 + rho2; NaN if
+                            rc_law_info.modulus is 0                                                                  */
 } rc_law_point;
 #define RC_LAW_POINT_INIT RC_BEGIN(rc_law_point)
 RC_API rc_status rc_law_evaluate(const rc_law *law, double x, rc_law_point *out);
@@ -147,7 +148,8 @@ typedef struct rc_law_export_spec {
                             evaluates, in the law's own units                                                         */
   int32_t reserved;      /* 0                                                                                         */
   int64_t rows;          /* 5 .. 1000000, CalculiX: .. 200; 0: 200. _TABLE: ignored                                   */
-  double rho1, rho2;     /* resistivities, or reciprocals of conductivities, in units of the deck; both 0: no conductance */
+  double rho1, rho2;     /* resistivities, or reciprocals of conductivities, in units of the deck; both 0: no conductance.
+                            Refused if rc_law_info.modulus is 0                                                       */
   double length, force;  /* one unit of the law in units of the deck; 0: 1                                            */
   double beyond;         /* one more row at this many times the last overclosure, on the last tangent, because these programs
                             continue with slope 0, from which Newton's method does not return. 0: 100; 1: none. Not CSV */

@@ -456,10 +456,10 @@ typedef struct rc_solver {
 
   /* Many contacts at once, optional */
   /** Solves and certifies many at once, by products of its own; its answer for one contact does not depend on the others. The core
-   *  checks the answers: all against their pressures, and by products of its own the residuals of one contact in 64, chosen at
-   *  random afterwards, and of each that reports a residual above tol/2. If one is not as reported, the core drops the whole call
-   *  and solves its contacts one at a time, as it does with those that are not solved, or with all after a status other than
-   *  RC_OK. Several threads may call it at the same time. */
+   *  checks the answers: all against their pressures, and by products of its own the residuals of one contact in 64, but of 8 at
+   *  least (all if there are fewer), chosen at random afterwards, and of each that reports a residual above tol/2. If one is not as
+   *  reported, the core drops the whole call and solves its contacts one at a time, as it does with those that are not solved, or
+   *  with all after a status other than RC_OK. Several threads may call it at the same time. */
   rc_status (*solve_many)(const rc_host *, rc_many *, const rc_options *);
 } rc_solver;
 
@@ -471,6 +471,8 @@ typedef struct rc_solver {
 #define RC_KERNEL_FAR_FIELD (UINT64_C(1) << 4) /* from 16 cells on it deflects as loads on the half-space near the cell's
                                                   centre would, to 1e-9                                                  */
 #define RC_KERNEL_SEMI_PERIODIC (UINT64_C(1) << 5) /* grids that repeat along one axis: has window()                     */
+#define RC_KERNEL_HOMOGENEOUS (UINT64_C(1) << 6) /* H is that of a homogeneous elastic half-space, but for what the cells leave out;
+                                                without it contacts have no conductance                               */
 
 typedef struct rc_kernel rc_kernel;
 
@@ -493,7 +495,7 @@ typedef struct rc_kernel_bounds {
 
 /** A kernel: what unit pressure on a cell deflects, times the modulus. Functions are called from several threads at the same
  *  time; what they return depends on the spec only. The library checks the values: RC_ERR_NUMERIC if H cannot be positive
- *  definite or a promise is seen to be broken. */
+ *  definite or a promise is seen to be broken; the message has the offsets and values. */
 struct rc_kernel {
   size_t struct_size;
 
@@ -506,7 +508,8 @@ struct rc_kernel {
   const rc_option_spec *const *options; /* keys "<name>.<key>"; all are fixed when a contact is made                     */
   /** RC_KERNEL_FREE or _SEMI_PERIODIC, else NULL: coefficients at the offsets (first_x + ix, first_y + iy) cells,
    *  0 <= ix < mx, 0 <= iy < my, into out[iy*mx + ix] [length]. A value depends on its offset, not on the window. Those at -x
-   *  and -y are equal. On a grid that repeats along x those at x and nx - x are, too. */
+   *  and -y are equal. On a grid that repeats along x, values at x and nx - x are equal as well (along y: y and ny - y). The
+   *  library compares all that it uses, so it asks such a kernel for both; they may differ by 1e-11 of the value at (0, 0). */
   rc_status (*window)(const rc_host *, const rc_kernel_spec *, int64_t first_x, int64_t first_y, int64_t mx, int64_t my,
                       double *out);
   /** RC_KERNEL_PERIODIC, else NULL: eigenvalues of H at wave numbers kx = 0..nx/2, ky = 0..ny/2 into out[ky*(nx/2+1) + kx]

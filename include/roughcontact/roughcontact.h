@@ -230,7 +230,8 @@ typedef struct rc_result {
 
   /* The answer */
   rc_status status;    /* as returned; failed until an answer is written                                             */
-  int32_t reserved;    /* 0                                                                                          */
+  int32_t homogeneous; /* 1: H is that of a homogeneous half-space, so that a conductance follows from the stiffness;
+                          0: it is not known to be: a caller's matrix or product, a kernel without RC_KERNEL_HOMOGENEOUS */
   double load;         /* hx hy sum(p) [force]                                                                       */
   double approach;     /* d [length]. Periodic boundaries: the change of the mean gap, mean(h) - mean(g) = d, if no point is
                           masked or at the hardness; nothing need be subtracted from it. Free boundaries: it includes the
@@ -268,10 +269,12 @@ typedef struct rc_result {
   int64_t undecided;   /* the other points                                                                           */
 
   /* Stiffness */
-  double stiffness;    /* dW/dd of the contact set [force/length], to tol of its value or closer; infinite in full
-                          periodic contact; NaN where option stiffness is 0                                          */
+  double stiffness;    /* dW/dd of the contact set [force/length], to tol of its value or closer (round-off may keep some
+                          1e-8 if nearly all of 10^5 periodic points touch); infinite in full periodic contact; NaN where
+                          option stiffness is 0                                                                      */
   double stiffness_lower, stiffness_upper; /* the exact dW/dd at this approach lies between these [force/length]; NaN
-                          unless option stiffness is 2, and where no proof is known                                  */
+                          unless option stiffness is 2, and where no proof is known. Both 0 if each loaded point is proven
+                          to be at the hardness: the load does not grow there                                        */
   double punch_stiffness; /* dW/dd of a rigid flat punch as large as the grid, to 0.2 % [force/length]: what free edges
                           bring into stiffness, as 1/stiffness = 1/punch_stiffness + 1/(that of a periodic surface),
                           roughly. NaN with periodic boundaries, without a half-space, and where option stiffness is 0 */

@@ -65,7 +65,7 @@ rc_status rc_conductance(const rc_system* system, const rc_result* result, doubl
     rc_result answer = RC_RESULT_INIT;  // an older caller's has no interval
     answer.stiffness_lower = answer.stiffness_upper = std::numeric_limits<double>::quiet_NaN();
     answer = read<rc_result>(result, "rc_result", answer);
-    const double unit = conductance_per_stiffness(given, rho1, rho2);
+    const double unit = conductance_per_stiffness(given, answer, rho1, rho2);
     if (std::isnan(answer.stiffness)) fail(RC_ERR_ARGUMENT, "rc_result.stiffness is NaN; solve with option stiffness = 1 or 2");
     *conductance = answer.stiffness * unit;
     if (lower) *lower = answer.stiffness_lower * unit;

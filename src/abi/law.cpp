@@ -113,7 +113,7 @@ rc_status rc_law_gap_conductance(const rc_law* law, double p, double rho1, doubl
   if (!(rho1 >= 0 && rho2 >= 0 && rho1 + rho2 > 0))
     return refused("rc_law_gap_conductance", "rho1 and rho2 must be >= 0, not both 0");
   const double scale = law->made->table[3];
-  if (std::isnan(scale)) return refused("rc_law_gap_conductance", "the law's system has no modulus");
+  if (std::isnan(scale)) return refused("rc_law_gap_conductance", no_conductance);
   double slope = 0;
   const int status = roughcontact_law_slope(law->made->table.data(), p, &slope);
   if (status < 0) return refused("rc_law_gap_conductance", null_or_nan);

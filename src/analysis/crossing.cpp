@@ -1,6 +1,8 @@
 #include "analysis/crossing.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace rc {
@@ -11,75 +13,38 @@ struct Directions {
   bool x = false, y = false;
 };
 
-struct Shift {
-  std::int64_t x = 0, y = 0;  // periods
-
-  Shift operator+(Shift other) const { return {x + other.x, y + other.y}; }
-  Shift operator-(Shift other) const { return {x - other.x, y - other.y}; }
-};
-
 constexpr unsigned left = 1, right = 2, top = 4, bottom = 8;  // sides of the grid
 
-// Connected stretches of rows. Each has its shift against its root, so that two ways between the same stretches show whether one
-// of them goes around the grid.
+// Connected stretches of rows, and the sides of the grid that they touch.
 class Clusters {
  public:
   std::size_t add(unsigned sides) {
-    nodes_.push_back({nodes_.size(), {}, sides});
+    nodes_.push_back({nodes_.size(), sides});
     return nodes_.size() - 1;
   }
 
-  // The second stretch, shifted, is adjacent to the first.
-  void join(std::size_t first, std::size_t second, Shift shift) {
-    const Place a = find(first), b = find(second);
-    const Shift between = a.shift + shift - b.shift;
-    if (a.root == b.root) {
-      around_.x = around_.x || between.x != 0;
-      around_.y = around_.y || between.y != 0;
-      return;
-    }
-    nodes_[b.root].parent = a.root;
-    nodes_[b.root].shift = between;
-    nodes_[a.root].sides |= nodes_[b.root].sides;
+  void join(std::size_t first, std::size_t second) {
+    const std::size_t a = root_of(first), b = root_of(second);
+    nodes_[b].parent = a;
+    nodes_[a].sides |= nodes_[b].sides;
   }
 
-  Directions crossing() const {
-    Directions found = around_;
-    for (const Node& node : nodes_) {
-      found.x = found.x || (node.sides & (left | right)) == (left | right);
-      found.y = found.y || (node.sides & (top | bottom)) == (top | bottom);
-    }
-    return found;
+  bool connects(unsigned sides) const {
+    return std::ranges::any_of(nodes_, [&](const Node& node) { return (node.sides & sides) == sides; });
   }
 
  private:
   struct Node {
     std::size_t parent;
-    Shift shift;     // against the parent
-    unsigned sides;  // that a root's runs touch
-  };
-  struct Place {
-    std::size_t root;
-    Shift shift;
+    unsigned sides;  // that a root's stretches touch
   };
 
-  Place find(std::size_t node) {
-    Place place{node, {}};
-    for (; nodes_[place.root].parent != place.root; place.root = nodes_[place.root].parent)
-      place.shift = place.shift + nodes_[place.root].shift;
-    Shift rest = place.shift;
-    while (node != place.root) {  // the next search is short
-      const Node here = nodes_[node];
-      nodes_[node].parent = place.root;
-      nodes_[node].shift = rest;
-      rest = rest - here.shift;
-      node = here.parent;
-    }
-    return place;
+  std::size_t root_of(std::size_t node) {
+    while (nodes_[node].parent != node) node = nodes_[node].parent = nodes_[nodes_[node].parent].parent;
+    return node;
   }
 
   std::vector<Node> nodes_;
-  Directions around_;
 };
 
 struct Stretch {
@@ -87,10 +52,10 @@ struct Stretch {
   std::size_t number;
 };
 
-void join_rows(const std::vector<Stretch>& above, const std::vector<Stretch>& below, Shift shift, Clusters& clusters) {
+void join_rows(const std::vector<Stretch>& above, const std::vector<Stretch>& below, Clusters& clusters) {
   auto lower = below.begin();
   for (auto upper = above.begin(); upper != above.end() && lower != below.end();) {
-    if (upper->begin < lower->end && lower->begin < upper->end) clusters.join(upper->number, lower->number, shift);
+    if (upper->begin < lower->end && lower->begin < upper->end) clusters.join(upper->number, lower->number);
     if (upper->end < lower->end) {
       ++upper;
     } else {
@@ -99,15 +64,16 @@ void join_rows(const std::vector<Stretch>& above, const std::vector<Stretch>& be
   }
 }
 
-// Finds the axes along which the points with `contact`, or those without it, reach across.
+// Finds the axes along which the points with `contact`, or those without it, reach across. The sides at the ends of the axis stay
+// apart; those beside it are joined if the grid repeats there.
 Directions crossed(const ContactMap& map, bool contact) {
   const std::int64_t nx = map.system().nx, ny = map.system().ny;
-  const bool joins_x = map.joins_x(), joins_y = map.joins_y();
   const auto inside = [&](std::int64_t x, std::int64_t y) {
     return map.included(y * nx + x) && map.touches(y * nx + x) == contact;
   };
 
   Clusters clusters;
+  std::vector<std::pair<std::size_t, std::size_t>> around;  // stretches of a row that meet if the grid repeats along x
   std::vector<Stretch> first, before, row;
   for (std::int64_t y = 0; y < ny; ++y, before.swap(row)) {
     row.clear();
@@ -115,18 +81,24 @@ Directions crossed(const ContactMap& map, bool contact) {
       if (!inside(x, y)) continue;
       const std::int64_t begin = x;
       while (x < nx && inside(x, y)) ++x;
-      unsigned sides = 0;
-      if (!joins_x) sides |= (begin == 0 ? left : 0) | (x == nx ? right : 0);
-      if (!joins_y) sides |= (y == 0 ? top : 0) | (y == ny - 1 ? bottom : 0);
+      const unsigned sides = (begin == 0 ? left : 0) | (x == nx ? right : 0) | (y == 0 ? top : 0) | (y == ny - 1 ? bottom : 0);
       row.push_back({begin, x, clusters.add(sides)});
     }
-    if (joins_x && !row.empty() && row.front().begin == 0 && row.back().end == nx)
-      clusters.join(row.back().number, row.front().number, {1, 0});
-    join_rows(before, row, {}, clusters);
+    if (map.joins_x() && !row.empty() && row.front().begin == 0 && row.back().end == nx)
+      around.emplace_back(row.front().number, row.back().number);
+    join_rows(before, row, clusters);
     if (y == 0) first = row;
   }
-  if (joins_y) join_rows(before, first, {0, 1}, clusters);
-  return clusters.crossing();
+
+  Directions found;
+  {
+    Clusters along_y = clusters;
+    for (const auto& [begin, end] : around) along_y.join(begin, end);
+    found.y = along_y.connects(top | bottom);
+  }
+  if (map.joins_y()) join_rows(before, first, clusters);
+  found.x = clusters.connects(left | right);
+  return found;
 }
 
 }  // namespace

@@ -51,6 +51,8 @@ struct System {
   bool halfspace() const { return given.op == RC_OPERATOR_HALFSPACE; }
   bool periodic() const { return halfspace() && given.boundary == RC_BOUNDARY_PERIODIC; }
   bool semi_periodic() const { return halfspace() && kernel::semi_periodic(given.boundary); }
+  // So that a conductance follows from a stiffness.
+  bool homogeneous() const { return halfspace() && kernel.influence->has(RC_KERNEL_HOMOGENEOUS); }
   const char* boundary() const { return periodic() ? "periodic" : semi_periodic() ? "semi-periodic" : "free"; }
   // Periodic: the eigenvalue of the longest wave on a half-space. An axis of one point has no waves.
   double half_space_wave() const;

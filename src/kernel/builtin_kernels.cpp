@@ -53,7 +53,8 @@ constexpr rc_kernel component(const Kernel& kernel) {
           .name = kernel.name,
           .summary = kernel.summary,
           .license = "",
-          .caps = (free ? RC_KERNEL_FREE | RC_KERNEL_POSITIVE | RC_KERNEL_FAR_FIELD : RC_KERNEL_PERIODIC) |
+          .caps = RC_KERNEL_HOMOGENEOUS |
+                  (free ? RC_KERNEL_FREE | RC_KERNEL_POSITIVE | RC_KERNEL_FAR_FIELD : RC_KERNEL_PERIODIC) |
                   (kernel.square_cells ? RC_KERNEL_SQUARE : 0) | (kernel.semi_periodic ? RC_KERNEL_SEMI_PERIODIC : 0),
           .n_options = 0,
           .options = nullptr,

@@ -69,7 +69,7 @@ void check_export(const Law& law, const rc_law_export_spec& spec) {
   if (!(spec.beyond >= 1 && std::isfinite(spec.beyond)))
     fail(RC_ERR_ARGUMENT, "rc_law_export_spec.beyond = ", spec.beyond, " must be 1 or more, and finite");
   if (spec.rho1 + spec.rho2 > 0 && !(law.info.modulus > 0))
-    fail(RC_ERR_ARGUMENT, "a law whose system has no modulus has no conductance");
+    fail(RC_ERR_ARGUMENT, "rc_law_export_spec.rho1 = ", spec.rho1, ", rho2 = ", spec.rho2, ": ", no_conductance);
 }
 
 // The origin, then rows in equal ratios from the first node to the last.
@@ -107,7 +107,7 @@ std::string columns(const Law& law, const std::vector<LawRow>& rows, const Units
   for (const LawRow& row : rows) {
     roughcontact_law_bounds bounds{};
     if (row.x > 0) roughcontact_law_bounds_at(law.table.data(), row.x, row.p, &bounds);
-    const double unit = law.table[3];  // NaN: the system has no modulus
+    const double unit = law.table[3];  // NaN: no conductance
     const double conductance = std::isnan(unit) ? unit : units.per_length(unit * row.slope) / (resistivity > 0 ? resistivity : 1);
     const double upper = bounds.p_upper;  // infinite beyond the last node
     text += joined_line({units.x(row), units.p(row.p), units.slope(row), units.energy(row), bounds.area, conductance,

@@ -42,8 +42,6 @@ void check_spec(const rc_system& system, const rc_law_spec& spec) {
   if (spec.area != 0 && !positive(spec.area)) fail(RC_ERR_ARGUMENT, "rc_law_spec.area = ", spec.area, " must be positive, or 0");
   if (spec.max_nodes != 0 && spec.max_nodes < 3)
     fail(RC_ERR_ARGUMENT, "rc_law_spec.max_nodes = ", spec.max_nodes, " must be 0, or at least 3");
-  if (conductance != 0 && system.op != RC_OPERATOR_HALFSPACE)
-    fail(RC_ERR_ARGUMENT, "rc_law_spec.tolerance_conductance = ", conductance, ": a system without modulus has no conductance");
 }
 
 class LawMaker {
@@ -53,6 +51,8 @@ class LawMaker {
 
   LawMade made(const rc_system& system) {
     nodes_.add({patch_.at_load(spec_.p_lower * patch_.area()), patch_.at_load(spec_.p_upper * patch_.area())});
+    if (spec_.tolerance_conductance != 0 && !patch_.homogeneous())
+      fail(RC_ERR_ARGUMENT, "rc_law_spec.tolerance_conductance = ", spec_.tolerance_conductance, ": ", no_conductance);
     if (nodes_.size() < 3) fail(RC_ERR_ARGUMENT, "p_lower and p_upper are the same to double precision");
     LawMade made;
     const auto most = static_cast<std::size_t>(spec_.max_nodes > 0 ? spec_.max_nodes : usual_most);
@@ -147,7 +147,7 @@ class LawMaker {
     law->tolerance_conductance = spec_.tolerance_conductance;
     law->info.solves = patch_.solves();
     law->info.bulk = patch_.bulk();
-    law->info.modulus = system.op == RC_OPERATOR_HALFSPACE ? system.modulus : 0;
+    law->info.modulus = patch_.homogeneous() ? system.modulus : 0;
     law->info.hardness = system.hardness;
     law->info.area = patch_.area();
     law->info.bulk_stiffness = spec_.bulk_stiffness;

@@ -10,6 +10,11 @@
 
 namespace rc {
 
+inline constexpr const char* no_conductance =
+    "no conductance follows from the slope of this law, whose system is not a homogeneous half-space: a layer, or the caller's "
+    "own "
+    "matrix, product or kernel";
+
 struct Law {
   rc_law_info info = RC_LAW_INFO_INIT;
   double tolerance = 0, tolerance_conductance = 0;  // as asked for

@@ -109,6 +109,7 @@ LawSample LawPatch::solve(std::int32_t control, double target) {
   if (!gap_.empty()) result.gap.data = gap_.data();
   must(rc_contact_solve(contact_.get(), &step, &result));
   placed_ = true;
+  homogeneous_ = result.homogeneous == 1;
   ++solves_;
 
   LawSample sample = origin();
@@ -125,9 +126,13 @@ LawSample LawPatch::solve(std::int32_t control, double target) {
     result.load_lower = result.load_upper = result.load;
     result.stiffness_lower = result.stiffness_upper = result.stiffness;
   }
-  const Yield yields = yield(control, result, sample);
-  if (!std::isfinite(result.stiffness_upper) || !(yields.rate_lower > least_rate))
+  const auto closed = [&] {
     fail(RC_ERR_INFEASIBLE, "at p = ", result.load / area_, " the patch is closed: it yields as a whole; lower p_upper");
+  };
+  // The load then determines neither the approach nor the mean gap.
+  if (bulk_ == RC_LAW_BULK_MEAN && result.capped == open_) closed();
+  const Yield yields = yield(control, result, sample);
+  if (!std::isfinite(result.stiffness_upper) || !(yields.rate_lower > least_rate)) closed();
   rc_law_node& node = sample.node;
   node.x = yields.x;
   node.p = result.load / area_;

@@ -44,6 +44,7 @@ class LawPatch {
   std::int32_t bulk() const { return bulk_; }
   double bulk_yield() const { return spec_.bulk_stiffness > 0 ? area_ / spec_.bulk_stiffness : 0; }
   std::int64_t solves() const { return solves_; }
+  bool homogeneous() const { return homogeneous_; }  // rc_result.homogeneous, once a node is solved
   bool plastic() const;
 
  private:
@@ -70,7 +71,8 @@ class LawPatch {
   std::int64_t solves_ = 0;
   std::unique_ptr<rc_options, Destroy> options_;
   std::unique_ptr<rc_contact, Destroy> contact_;
-  bool placed_ = false;             // the contact has the surface
+  bool placed_ = false;  // the contact has the surface
+  bool homogeneous_ = false;
   std::vector<double> from_touch_;  // the undeformed gap, with 0 at the lowest point
   std::vector<std::int64_t> index_;
   std::vector<double> p_, gap_;

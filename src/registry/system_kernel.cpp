@@ -16,6 +16,7 @@ namespace rc {
 namespace {
 
 constexpr double round_off = 1e-9;     // by which promises may be missed
+constexpr double same = 1e-11;         // difference of two equal coefficients, over the one at offset (0, 0), at most
 constexpr std::int64_t patch = 8;      // cells along a side of the patch on which promises are checked
 constexpr double unlooked = 1 - 1e-6;  // of a lowest eigenvalue that is looked up: transforms round
 
@@ -87,8 +88,16 @@ rc_kernel_bounds SystemKernel::bounds(const rc_system& system, double& largest) 
 // Quotients x'Hx / x'x are no smaller than the lowest eigenvalue.
 void SystemKernel::check_coefficients(const rc_system& system, const rc_kernel_bounds& promise) const {
   const kernel::Window all{0, 0, patch, patch};
-  std::vector<double> values(patch * patch), galerkin(values.size());
+  std::vector<double> values(patch * patch), galerkin(values.size()), alone(patch);
   window(system, all, values.data());
+  for (std::int64_t y = 0; y < patch; ++y) {
+    ask(system, {1, y, patch - 1, 1}, alone.data());
+    for (std::int64_t x = 1; x < patch; ++x)
+      if (const double value = values[static_cast<std::size_t>(y * patch + x)], other = alone[static_cast<std::size_t>(x - 1)];
+          !(std::abs(value - other) <= same * values[0]))
+        refuse("the coefficient at offset (", x, ", ", y, ") is ", exact(value), " in one window and ", exact(other),
+               " in another, must not depend on the window");
+  }
   kernel::window_coefficients(*kernel::find("galerkin"), system.hx, system.hy, all, galerkin.data());
   for (const int along_x : {0, 1})
     for (const int along_y : {0, 1}) {
@@ -101,20 +110,48 @@ void SystemKernel::check_coefficients(const rc_system& system, const rc_kernel_b
     }
 }
 
-void SystemKernel::window(const rc_system& system, const kernel::Window& window, double* out) const {
+void SystemKernel::ask(const rc_system& system, const kernel::Window& window, double* out) const {
   const rc_kernel_spec asked = spec(system);
   clear_message();
   if (!built_in_) std::fill_n(out, window.mx * window.my, nan);  // shows what is left out
   check(kernel_.window(&options_.context->host(), &asked, window.first_x, window.first_y, window.mx, window.my, out),
         "the kernel's window");
+}
+
+// A backend reads half a period and mirrors it, or all of it. So each value is compared with its mirror image, in a window of its
+// own. Offset 0 is its own image.
+void SystemKernel::check_mirrored(const rc_system& system, const kernel::Window& window, const double* values,
+                                  double scale) const {
+  const bool along_x = system.boundary == RC_BOUNDARY_PERIODIC_X;
+  const std::int64_t period = along_x ? system.nx : system.ny;
+  const std::int64_t first = along_x ? window.first_x : window.first_y, size = along_x ? window.mx : window.my;
+  const std::int64_t begin = std::max<std::int64_t>(first, 1), end = std::min(first + size, period);
+  if (begin >= end) return;
+  kernel::Window mirrored = window;
+  (along_x ? mirrored.first_x : mirrored.first_y) = period - end + 1;
+  (along_x ? mirrored.mx : mirrored.my) = end - begin;
+  std::vector<double> images(static_cast<std::size_t>(mirrored.mx * mirrored.my));
+  ask(system, mirrored, images.data());
+  for (std::int64_t iy = 0; iy < mirrored.my; ++iy)
+    for (std::int64_t ix = 0; ix < mirrored.mx; ++ix) {
+      const std::int64_t image_x = mirrored.first_x + ix, image_y = mirrored.first_y + iy;
+      const std::int64_t x = along_x ? period - image_x : image_x, y = along_x ? image_y : period - image_y;
+      const double value = values[(y - window.first_y) * window.mx + x - window.first_x];
+      const double image = images[static_cast<std::size_t>(iy * mirrored.mx + ix)];
+      if (!(std::abs(value - image) <= same * scale))
+        refuse("the coefficients at offsets (", x, ", ", y, ") and (", image_x, ", ", image_y, ") are ", exact(value), " and ",
+               exact(image), ", must be equal: the grid repeats after ", period, " points along ", along_x ? 'x' : 'y');
+    }
+}
+
+void SystemKernel::window(const rc_system& system, const kernel::Window& window, double* out) const {
+  ask(system, window, out);
   if (built_in_) return;
   // The largest coefficient is the first one.
-  double most = std::numeric_limits<double>::infinity();
-  if (window.first_x == 0 && window.first_y == 0) {
-    most = out[0];
-    if (!(most > 0))
-      refuse("the coefficient at offset (0, 0) is ", most, std::isnan(most) ? ", must be finite" : ", must be positive");
-  }
+  double most = out[0];
+  if (window.first_x != 0 || window.first_y != 0) ask(system, {0, 0, 1, 1}, &most);
+  if (!(most > 0))
+    refuse("the coefficient at offset (0, 0) is ", most, std::isnan(most) ? ", must be finite" : ", must be positive");
   const bool positive = has(RC_KERNEL_POSITIVE);
   for (std::int64_t i = 0; i < window.mx * window.my; ++i) {
     const auto wrong = [&](const auto&... why) {
@@ -125,6 +162,7 @@ void SystemKernel::window(const rc_system& system, const kernel::Window& window,
     if (std::abs(out[i]) > most) wrong(", beyond that at (0, 0), ", most, ": H is not positive definite");
     if (positive && out[i] < 0) wrong(", although none is promised to be negative");
   }
+  if (kernel::semi_periodic(system.boundary)) check_mirrored(system, window, out, most);
 }
 
 void SystemKernel::symbol(const rc_system& system, double* out) const {

@@ -25,13 +25,15 @@ class SystemKernel {
   // largest eigenvalue but the mean's; unchanged if no symbol is read.
   rc_kernel_bounds bounds(const rc_system&, double& largest) const;
 
-  void window(const rc_system&, const kernel::Window&, double* out) const;  // free boundaries
+  void window(const rc_system&, const kernel::Window&, double* out) const;  // not for periodic boundaries
   void symbol(const rc_system&, double* out) const;                         // periodic boundaries
   void coefficients(const rc_system&, std::int64_t mx, std::int64_t my, double* out) const;
 
  private:
   rc_kernel_spec spec(const rc_system&) const;
   void check(rc_status, const char* what) const;
+  void ask(const rc_system&, const kernel::Window&, double* out) const;
+  void check_mirrored(const rc_system&, const kernel::Window&, const double* values, double scale) const;
   rc_kernel_bounds promised(const rc_system&) const;
   void check_coefficients(const rc_system&, const rc_kernel_bounds&) const;
   template <class... Parts> [[noreturn]] void refuse(const Parts&... parts) const;

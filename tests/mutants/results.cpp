@@ -41,7 +41,7 @@ void put(Figures& figures, rc_contact* contact, rc_status status, const rc_resul
   figures.exact("estimate", a.error_estimate);
   figures.exact("area_estimate", a.area_estimate);
   figures.exact("left_out", a.left_out);
-  figures.exact("reserved", r.reserved);
+  figures.exact("homogeneous", r.homogeneous);
   figures.exact("points", static_cast<double>(r.points));
   figures.exact("model_nx", static_cast<double>(a.model_nx));
   figures.exact("model_ny", static_cast<double>(a.model_ny));
@@ -91,7 +91,7 @@ std::int32_t product_of(const double* x, double* y, std::int64_t n, void* diagon
 void spoil(rc_result& r) {
   r.seconds = r.setup_seconds = -5;
   r.levels = -5;
-  r.reserved = 5;
+  r.homogeneous = 5;
   r.points = -5;
   r.load_lower = r.load_upper = r.duality_gap = r.area_lower = r.area_upper = -5;
   r.proven_contacts = r.proven_open = r.undecided = -5;

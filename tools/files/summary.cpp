@@ -17,6 +17,13 @@ std::string library_version() {
   return format("%d.%d.%d", major, minor, patch);
 }
 
+// What contact_crosses and gap_crosses mean by x and y.
+std::string crossing_of(std::int32_t boundary) {
+  const bool x = boundary == RC_BOUNDARY_PERIODIC || boundary == RC_BOUNDARY_PERIODIC_X,
+             y = boundary == RC_BOUNDARY_PERIODIC || boundary == RC_BOUNDARY_PERIODIC_Y;
+  return std::string("along x") + (y ? " with y periodic" : "") + ", along y" + (x ? " with x periodic" : "");
+}
+
 }  // namespace
 
 void Checksum::add(std::span<const double> heights) {
@@ -48,6 +55,7 @@ Summary::Summary(const Problem& problem, const std::string& checksum) {
                  {"checksum", checksum},
                  {"modulus", system.modulus},
                  {"boundary", std::string(name_of_boundary(system.boundary))},
+                 {"crossing", crossing_of(system.boundary)},
                  {"control", problem.control}});
   if (system.hardness > 0) document_.add("hardness", system.hardness);
   if (!problem.input.against.empty()) document_.add("against", problem.input.against);

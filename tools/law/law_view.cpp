@@ -65,7 +65,8 @@ void print_law(const PatchLaw& law, const std::vector<LawRow>& rows) {
                         ", overclosures " + with_prefix(info.x_lower * length, "m", 4) + " to " +
                         with_prefix(info.x_upper * length, "m", 4));
   fact("overclosure", bulk_of(law));
-  fact("bounds", proof_of(info) + "; conductance " + width_of(info.width_conductance) + ", area " + width_of(info.width_area));
+  const std::string conductance = info.modulus > 0 ? "conductance " + width_of(info.width_conductance) + ", " : "";
+  fact("bounds", proof_of(info) + "; " + conductance + "area " + width_of(info.width_area));
   if (info.modulus > 0)
     fact("body", "E* " + with_prefix(info.modulus * pressure, "Pa", 4) +
                      (info.hardness > 0 ? ", hardness " + with_prefix(info.hardness * pressure, "Pa", 4) : ""));

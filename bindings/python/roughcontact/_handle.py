@@ -100,6 +100,12 @@ class Handle(OwnsHandle):
         with self._use.by_caller():
             yield self._handle
 
+    @contextmanager
+    def _holding_or_inside(self) -> Iterator[ctypes.c_void_p]:
+        """As `_holding`, also inside a function that sees the steps of this contact's history."""
+        with self._use.by_caller_or_callback():
+            yield self._handle
+
     def _bar(self, unit: str, total: Optional[int] = None, done: Optional[Callable[[], int]] = None) -> ContextManager[None]:
         """Over a call, where bars are asked for."""
         return self._bars.over(unit, total, done) if self._bars else nullcontext()

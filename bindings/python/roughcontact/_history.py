@@ -54,7 +54,10 @@ def history_on(
             pressures[step] = pressure
         alone = result_from(found, "", grid, None, None, contact._handle)
         results.append(replace(alone, measures=measures_of(pressure, grid)))
-        return each is not None and each(step, result_with_copies(found, grid, contact._handle))
+        if each is None:
+            return False
+        with contact._use.answering():
+            return each(step, result_with_copies(found, grid, contact._handle))
 
     callbacks = Callbacks()
     struct.fn = rc_history_fn(callbacks.guarded(after))

@@ -29,7 +29,8 @@ STEP_COLUMNS = (
 
 @dataclass(frozen=True)
 class Measures(Stored):
-    """corrected_area, largest_patch [length^2]; patches: how many; contact_crosses, gap_crosses: "none", "x", "y" or "xy"."""
+    """corrected_area, largest_patch [length^2]; patches: how many; contact_crosses, gap_crosses: "none", "x", "y" or "xy", as in
+    `analysis.Crossing`."""
 
     corrected_area: float
     patches: int

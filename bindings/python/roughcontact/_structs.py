@@ -34,7 +34,7 @@ class rc_step(Sized):
 
 @struct
 class rc_result(Sized):
-    members = """size_t struct_size; rc_array p gap; rc_status status=RC_ERR_ARGUMENT; int32_t reserved;
+    members = """size_t struct_size; rc_array p gap; rc_status status=RC_ERR_ARGUMENT; int32_t homogeneous;
     double load approach mean_pressure max_pressure contact_area area_fraction mean_gap energy; int64_t contacts;
     double kkt_primal kkt_dual kkt_complementarity kkt_control tolerance duality_gap load_lower load_upper;
     double area_lower area_upper; int64_t proven_contacts proven_open undecided;

@@ -2,7 +2,7 @@
 
 import threading
 from contextlib import contextmanager
-from typing import Any, Callable, Iterator
+from typing import Any, Callable, Iterator, Optional
 
 from ._errors import ArgumentError, BusyError
 
@@ -25,6 +25,7 @@ class Use:
         self._caller, self._worker = threading.Lock(), threading.Lock()
         self._alive = threading.RLock()  # a signal handler may ask while its own thread destroys
         self._destroy, self._closing = destroy, False
+        self._answering: Optional[int] = None  # the thread on which a callback may ask about the call that made it
 
     def closed(self) -> bool:
         return self._closing or not self._destroy.alive
@@ -45,6 +46,23 @@ class Use:
         finally:
             self._caller.release()
             self._close_if_free()
+
+    @contextmanager
+    def answering(self) -> Iterator[None]:
+        """Over a callback of a call in progress, on the callback's thread: `by_caller_or_callback` is open to it."""
+        self._answering = threading.get_ident()
+        try:
+            yield
+        finally:
+            self._answering = None
+
+    @contextmanager
+    def by_caller_or_callback(self) -> Iterator[None]:
+        if self._answering == threading.get_ident():
+            yield
+        else:
+            with self.by_caller():
+                yield
 
     def begin_work(self) -> bool:
         """Whether a thread may work with the handle; it then calls `end_work`."""

@@ -8,7 +8,7 @@ A point is in contact where its pressure is positive. periodic joins opposite si
 from __future__ import annotations
 
 import ctypes
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Dict, Optional, Sequence, Tuple
 
 import numpy as np
@@ -23,7 +23,7 @@ from ._library import contact_library
 from ._brief import brief
 from ._structs import rc_area, rc_crossing, rc_histogram, rc_patches, rc_result
 from .context import Context, Options, OptionSet
-from .system import Repeats, System, grid_struct
+from .system import Repeats, System, axes_of, grid_struct
 
 __all__ = [
     *("area", "patches", "histogram", "crossing", "conductance", "punch_stiffness"),
@@ -92,10 +92,22 @@ class Histogram:
 
 @dataclass(frozen=True)
 class Crossing:
-    """Axes along which the contact, and the open gap, connects opposite sides: "none", "x", "y" or "xy"."""
+    """Axes along which the contact, and the open gap, connects opposite sides: "none", "x", "y" or "xy".
+
+    repeats: along which axes the grid repeats: a part that crosses along x may go around along y if this has "y", and the reverse
+    """
 
     contact: str
     gap: str
+    repeats: str = field(default="none", compare=False)
+
+    def __str__(self) -> str:
+        return f"the contact crosses {self._along(self.contact)}, the gap {self._along(self.gap)}"
+
+    def _along(self, axes: str) -> str:
+        across = {"x": "y", "y": "x"}
+        periodic = {axis: f" (with {across[axis]} periodic)" if across[axis] in self.repeats else "" for axis in across}
+        return " and ".join(f"along {axis}{periodic[axis]}" for axis in across if axis in axes) or "along no axis"
 
 
 @dataclass(frozen=True)
@@ -175,27 +187,31 @@ def histogram(
 
 
 def crossing(pressure: ArrayLike, *, pitch: Pitch = 1.0, periodic: Repeats = False, mask: Optional[ArrayLike] = None) -> Crossing:
-    """Percolation of contact and gap: whether they join opposite sides of the grid, or a periodic grid's copies of themselves.
-    Points are connected across edges, and a masked one belongs to neither. pitch does not matter. Others as in `area`."""
+    """Percolation of contact and gap: whether a connected part of them joins the sides at the ends of x, or of y.
+
+    These two sides are never joined, as the inlet and outlet of a seal; the grid repeats across the axis if periodic says so. Points
+    are connected across edges, and a masked one belongs to neither. pitch does not matter. Others as in `area`.
+    """
     system, p, m = _grid(pressure, pitch, periodic, mask)
     out = rc_crossing()
     check(contact_library().rc_crossing_find(system, pointer(p), pointer(m), out))
     along = {(0, 0): "none", (1, 0): "x", (0, 1): "y", (1, 1): "xy"}
-    return Crossing(along[out.contact_x, out.contact_y], along[out.gap_x, out.gap_y])
+    return Crossing(along[out.contact_x, out.contact_y], along[out.gap_x, out.gap_y], axes_of(periodic))
 
 
 def conductance(result: Any, rho1: float, rho2: float) -> Conductance:
     """Electrical or thermal conductance of a contact of half-spaces, 2 / (E* (rho1 + rho2)) dW/dd (Barber 2003).
 
-    result: a `Result` with option stiffness 1 or 2; rho1, rho2: resistivities of the bodies, or reciprocals of their thermal
-        conductivities
+    result: a `Result` with option stiffness 1 or 2, of a homogeneous half-space (`Result.homogeneous`)
+    rho1, rho2: resistivities of the bodies, or reciprocals of their thermal conductivities
     """
     if result.grid.modulus is None:
-        raise ArgumentError("the result is not of a HalfSpace, whose modulus the conductance needs")
+        raise ArgumentError("the result is not of a HalfSpace: no conductance follows from the stiffness of your own matrix or product")
     system = grid_struct(result.grid.shape, result.grid.pitch, result.grid.periodic)
     system.op, system.modulus = _constants.RC_OPERATOR_HALFSPACE, result.grid.modulus
     names = ("stiffness", "stiffness_lower", "stiffness_upper")
-    struct = given(rc_result(), **{name: getattr(result, name) for name in names})
+    struct = given(rc_result(), **{name: getattr(result, name) for name in (*names, "homogeneous")})
+    struct.kernel = result.kernel.encode()
     found = [ctypes.c_double() for _ in names]
     check(contact_library().rc_conductance(system, struct, float(rho1), float(rho2), *found))
     return Conductance(*(each.value for each in found))

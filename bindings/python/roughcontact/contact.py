@@ -268,12 +268,11 @@ class Contact(Handle):
                 found.append(level_from(level, pressure))
 
     def points(self) -> Tuple[NDArray[np.int64], Doubles]:
-        """(indices, pressures) of the points in contact after the last step that was certified or within its goal, without
-        arrays over
-        all points: flat indices in ascending order, pressures [force/length^2]."""
+        """(indices, pressures) of the points in contact after the last step that was certified or within its goal, without arrays
+        over all points: flat indices in ascending order, pressures [force/length^2]. Inside `history(each=)`: of its step."""
         library = contact_library()
         n = ctypes.c_int64()
-        with self._holding() as handle:
+        with self._holding_or_inside() as handle:
             check(library.rc_contact_points(handle, 0, None, None, n))
             index, pressure = np.empty(n.value, np.int64), np.empty(n.value)
             check(library.rc_contact_points(handle, n.value, pointer(index), pointer(pressure), n))

@@ -139,6 +139,8 @@ def law(found: Any, *, ax: Any = None, y: str = "pressure", points: int = 400, s
     ax, at = _axes(ax), found._points(np.geomspace(found.info["x_lower"], found.info["x_upper"], points))
     if y not in LAW_MEMBERS:
         raise ArgumentError(f"y is {y!r}: one of {', '.join(LAW_MEMBERS)}")
+    if y == "conductance" and not found.info["modulus"]:
+        raise ArgumentError("y is 'conductance', which follows from a law of homogeneous half-spaces only")
     x, (member, bound) = "overclosure" if y == "pressure" else "pressure", LAW_MEMBERS[y]
     abscissa = at("x" if y == "pressure" else "p")
     ax.loglog(abscissa, at(member), **how)

@@ -133,6 +133,8 @@ class Result(Answer):
     #: dW/dd of a rigid flat punch as large as the map, which bounds that of a map with free edges [force/length]; NaN where stiffness
     #: is, and with periodic boundaries
     punch_stiffness: float
+    #: 1: the kernel is that of a homogeneous half-space, so that a conductance follows from the stiffness
+    homogeneous: int
     #: points that carry the system's hardness; 0 without one
     capped: int
     #: of the overlap of these points in this step [length^3]
@@ -177,12 +179,13 @@ class Result(Answer):
 
     @property
     def contact_crosses(self) -> str:
-        """Axes along which the contact connects opposite sides: "none", "x", "y" or "xy"."""
+        """Axes along which the contact connects opposite sides: "none", "x", "y" or "xy"; see `gap_crosses`."""
         return self._measured.contact_crosses
 
     @property
     def gap_crosses(self) -> str:
-        """Axes along which the open gap connects opposite sides; with "none" nothing leaks."""
+        """Axes along which the open gap connects the side where a fluid enters with the opposite one: "none", "x", "y" or "xy". The
+        map repeats across the axis if its boundary does, never along it. With "none" nothing leaks."""
         return self._measured.gap_crosses
 
     @cached_property
@@ -202,7 +205,7 @@ class Result(Answer):
         return analysis.histogram(self._needed(), bins, upper, **self._grid())
 
     def conductance(self, rho1: float, rho2: float) -> analysis.Conductance:
-        """Electrical or thermal conductance of the contact; needs option stiffness 1 or 2.
+        """Electrical or thermal conductance of the contact; needs option stiffness 1 or 2, and `homogeneous`.
 
         rho1, rho2: resistivities of the bodies, or reciprocals of their thermal conductivities
         """

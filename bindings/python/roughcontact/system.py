@@ -92,6 +92,11 @@ def name_of(periodic: Repeats) -> str:
     return next(name for name, repeats in REPEATS.items() if repeats == periodic)
 
 
+def axes_of(periodic: Repeats) -> str:
+    """The axes along which such a grid repeats: "none", "x", "y" or "xy"."""
+    return periodic if isinstance(periodic, str) else "xy" if periodic else "none"
+
+
 def grid_struct(shape: Shape, pitch: Tuple[float, float], periodic: Repeats) -> rc_system:
     system = rc_system()
     system.nx, system.ny = columns_and_rows(shape)

@@ -15,8 +15,8 @@ namespace rc {
 
 namespace {
 
-// One contact of every block of this many is computed anew.
-constexpr std::int64_t block = 64;
+// One contact in this many is computed anew, and some of a call at least.
+constexpr std::size_t block = 64, least_anew = 8;
 // Residuals computed anew may differ by this share of tol from those reported. Answers that report more than near_tol times tol
 // are all computed anew, so that this difference cannot lift one above tol.
 constexpr double allowed_share = 0.25, near_tol = 0.5;
@@ -117,11 +117,14 @@ class Check {
     return false;
   }
 
+  // One of each of k parts. If a share f of the answers is wrong, all of these are right with a probability of (1 - f)^k at most.
   std::vector<std::int64_t> sample(std::span<const std::int64_t> solved) const {
     std::random_device random;  // read after the solver has answered
+    const std::size_t parts = std::max((solved.size() + block - 1) / block, std::min(solved.size(), least_anew));
     std::vector<std::int64_t> chosen;
-    for (std::size_t begin = 0; begin < solved.size(); begin += block) {
-      const std::span<const std::int64_t> part = solved.subspan(begin, std::min<std::size_t>(block, solved.size() - begin));
+    for (std::size_t k = 0; k < parts; ++k) {
+      const std::size_t begin = solved.size() * k / parts;
+      const std::span<const std::int64_t> part = solved.subspan(begin, solved.size() * (k + 1) / parts - begin);
       const std::int64_t any = part[std::uniform_int_distribution<std::size_t>(0, part.size() - 1)(random)];
       for (const std::int64_t i : part)
         if (i == any || near(i)) chosen.push_back(i);

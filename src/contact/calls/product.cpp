@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
-#include <utility>
+#include <numeric>
 
 #include "contact/choice.h"
 #include "contact/operators.h"
@@ -19,6 +20,26 @@ Operator& operator_of(const GridProblem& problem) {
   return problem.operators().bound(*choose_for(problem, all, RC_CONTROL_APPROACH, {}, false).backend, all);
 }
 
+// The longest distance that n values of an array may be apart: offsets in bytes, of both axes together, stay in range.
+constexpr std::int64_t longest_of(std::int64_t n) { return std::numeric_limits<std::int64_t>::max() / 16 / n; }
+
+template <class Value> void check_distances(const GridField<Value>& field, const char* name, std::int64_t nx, std::int64_t ny) {
+  const auto check = [&](const char* axis, std::int64_t distance, std::int64_t n) {
+    if (const std::int64_t most = longest_of(n); n > 1 && (distance > most || distance < -most))
+      fail(RC_ERR_ARGUMENT, name, '_', axis, " = ", distance, ", a distance between neighbours, must be within +-", most);
+  };
+  check("x", field.x, nx);
+  check("y", field.y, ny);
+}
+
+// Whether two of the points (ix, iy) lie at the same place: ix x + iy y vanishes at the smallest whole multiples only if those
+// are differences between points of the grid.
+bool points_coincide(std::int64_t x, std::int64_t y, std::int64_t nx, std::int64_t ny) {
+  if (nx == 1 || ny == 1) return (nx > 1 && x == 0) || (ny > 1 && y == 0);
+  const std::int64_t common = std::gcd(x, y);
+  return common == 0 || (std::abs(y / common) < nx && std::abs(x / common) < ny);
+}
+
 }  // namespace
 
 Product::Product(const rc_system& system, const rc_options& options)
@@ -31,11 +52,10 @@ void Product::apply(const GridField<const double>& p, const GridField<double>& u
   const Rest after(problem_);
   const System& system = problem_.system;
   const std::int64_t nx = system.given.nx, ny = system.given.ny;
-  if ((u.x == 0 && nx > 1) || (u.y == 0 && ny > 1))
-    fail(RC_ERR_ARGUMENT, "u_x = ", u.x, ", u_y = ", u.y, ": points of u coincide");
-  for (const auto& [distance, n] : {std::pair{p.x, nx}, {p.y, ny}, {u.x, nx}, {u.y, ny}})
-    if (const std::int64_t most = std::numeric_limits<std::int64_t>::max() / 4 / n; distance > most || distance < -most)
-      fail(RC_ERR_ARGUMENT, "a distance between neighbours, ", distance, ", is too large");
+  check_distances(p, "p", nx, ny);
+  check_distances(u, "u", nx, ny);
+  if (points_coincide(u.x, u.y, nx, ny))
+    fail(RC_ERR_ARGUMENT, "u_x = ", u.x, ", u_y = ", u.y, ": some of the ", nx, " x ", ny, " points of u coincide");
   std::size_t k = 0;
   for (std::int64_t iy = 0; iy < ny; ++iy)
     for (std::int64_t ix = 0; ix < nx; ++ix) {

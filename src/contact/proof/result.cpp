@@ -21,7 +21,7 @@ void write(const Numbers& numbers, const System& system, rc_result& result) {
   const Totals& totals = numbers.totals;
   const double area = system.cell_area(), points = static_cast<double>(system.points());
   result.status = numbers.status;
-  result.reserved = 0;
+  result.homogeneous = system.homogeneous();
   result.iterations = numbers.work.iterations;
   result.products = numbers.work.products;
   result.points = system.points();

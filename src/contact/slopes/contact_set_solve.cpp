@@ -232,7 +232,7 @@ rc_status ContactSetSolve::form(std::span<const double> b, double tol, double me
     bound.residual = residual + rounding * size;
     bound.form = dot(b, x) + dot(r, x);
     bound.error = bound.residual * bound.residual / lowest_ + rounding * size * std::sqrt(dot(x, x));
-    return bound.error <= tol * bound.form * (1 - mean * (bound.form + bound.error));
+    return bound.settles(tol, mean);
   };
   for (double before = std::numeric_limits<double>::infinity();;) {
     double last = 0, drifted = 0;

@@ -27,6 +27,9 @@ struct ContactSetBound {
   double residual = 0;  // |b - A x| is at most that
   double form = 0;      // b'A^-1 b
   double error = 0;     // of the form, at most: that of x in the norm of the energy, squared, and round-off
+
+  // Whether form / (1 - mean form) is known to a share of `tol`. NaN: never.
+  bool settles(double tol, double mean) const { return error <= tol * form * (1 - mean * (form + error)); }
 };
 
 class ContactSetSolve {

@@ -13,6 +13,7 @@ namespace rc {
 namespace {
 
 constexpr double least_tol = 1e-10, most_tol = 1e-4;  // of the solves, which follow the tolerance
+constexpr double finest_residual = 1e-11;             // of those that a stiffness needs to be known to the tolerance
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 // The pressures x of a flat punch of the shape of a set of points, and its stiffness 1'x; dimensionless.
@@ -24,6 +25,7 @@ struct FlatPunch {
 
   // Without the rank-one mean (Sherman & Morrison 1950): grows with the sum of x.
   double stiffness(double sum) const { return sum / (1 - mean * sum); }
+  bool found() const { return status == RC_OK || status == RC_STOP_STALLED; }
   double lower() const { return std::max(0.0, stiffness(std::max(0.0, bound.form - bound.error))); }
   double upper() const {
     const double most = bound.form + bound.error;
@@ -47,9 +49,15 @@ FlatPunch pressed(const GridProblem& problem, Operator& op, std::span<const std:
     ones.assign(set.size(), 1.0);
     punch.rate.resize(set.size());
   });
-  const double tol = std::clamp(problem.options.real(RC_OPT_TOL), least_tol, most_tol);
-  punch.status =
-      wanted == Wanted::form ? solve.form(ones, tol, punch.rate, punch.bound) : solve(ones, tol, punch.rate, punch.bound);
+  const double tol = std::max(problem.options.real(RC_OPT_TOL), least_tol);
+  double residual = std::min(tol, most_tol);
+  punch.status = wanted == Wanted::form ? solve.form(ones, residual, punch.rate, punch.bound)
+                                        : solve(ones, residual, punch.rate, punch.bound);
+  // Where few points of a period are left out, 1 - mean 1'x is close to 0, and 1'x is needed to more digits than the stiffness.
+  while (punch.status == RC_OK && solve.iterates() && !punch.bound.settles(tol, punch.mean) && residual > finest_residual) {
+    residual = std::max(0.1 * residual, finest_residual);
+    punch.status = solve(ones, residual, punch.rate, punch.bound);
+  }
   if (wanted == Wanted::proof && punch.status == RC_OK) punch.status = solve.prove(ones, punch.rate, punch.bound);
   if (solve.iterates())
     problem.options.context->log(
@@ -107,9 +115,8 @@ Stiffness stiffness(const GridProblem& problem, const Answer& answer) {
     return result;
   }
   FlatPunch punch = pressed(problem, *answer.op, contact, std::move(grown), interval ? Wanted::rate : Wanted::form);
-  result.value =
-      punch.status == RC_OK ? in_units(system, punch.stiffness(punch.bound.form)) : std::numeric_limits<double>::quiet_NaN();
-  if (punch.status != RC_OK || !interval) return result;
+  result.value = punch.found() ? in_units(system, punch.stiffness(punch.bound.form)) : std::numeric_limits<double>::quiet_NaN();
+  if (!punch.found() || !interval) return result;
   for (std::int64_t& position : contact) position = answer.op->trial().point(position);
   result.points = std::move(contact);
   result.rate = std::move(punch.rate);
@@ -123,13 +130,13 @@ void prove_interval(const GridProblem& problem, Operator* op, const std::vector<
   double lower = 0, upper = most_points == 0 ? 0 : unbounded;
   if (op && most_points > 0 && !(system.periodic() && most_points == system.points())) {
     const FlatPunch most = pressed_at(problem, *op, possible, stiffness);
-    if (most.status != RC_OK || std::isnan(most.bound.error)) return;
+    if (!most.found() || std::isnan(most.bound.error)) return;
     upper = most.upper();
     if (least_points == most_points) lower = most.lower();
   }
   if (op && least_points > 0 && least_points != most_points) {
     const FlatPunch least = pressed_at(problem, *op, contacts, stiffness);
-    if (least.status != RC_OK || std::isnan(least.bound.error)) return;
+    if (!least.found() || std::isnan(least.bound.error)) return;
     lower = least.lower();
   }
   stiffness.lower = in_units(system, lower);
@@ -142,7 +149,7 @@ rc_status stiffness_of_points(const GridProblem& problem, Operator& op, const st
                               StiffnessInterval& stiffness) {
   const System& system = problem.system;
   const FlatPunch punch = pressed_at(problem, op, points, {});
-  if (punch.status != RC_OK && punch.status != RC_STOP_STALLED) return punch.status;
+  if (!punch.found()) return punch.status;
   stiffness.value = in_units(system, punch.stiffness(punch.bound.form));
   if (std::isnan(punch.bound.error)) return punch.status;
   stiffness.lower = in_units(system, punch.lower());

@@ -1,4 +1,4 @@
-// Whether contact and gap reach across: drawn cells, and random ones against a walk on the unrolled grid.
+// Whether contact and gap reach across: drawn cells, and random ones against a walk from side to side.
 #include <queue>
 #include <set>
 
@@ -10,7 +10,8 @@ namespace {
 
 using namespace pairs;
 
-constexpr std::int32_t free_sides = RC_BOUNDARY_FREE, periodic = RC_BOUNDARY_PERIODIC;
+constexpr std::int32_t free_sides = RC_BOUNDARY_FREE, periodic = RC_BOUNDARY_PERIODIC, periodic_x = RC_BOUNDARY_PERIODIC_X,
+                       periodic_y = RC_BOUNDARY_PERIODIC_Y;
 
 rc_crossing crossing_of(const Map& map) {
   rc_crossing found{sizeof(rc_crossing), -7, -7, -7, -7};
@@ -35,13 +36,25 @@ void ridges_cross_along_themselves() {
 
 void corners_do_not_connect() { check_crossing(drawn({"#..", ".#.", "..#"}), "", ""); }
 
-void periodic_parts_must_meet_themselves() {
+// The inlet and the outlet of a seal stay apart; across the flow the surface repeats.
+void sides_along_the_axis_stay_apart_and_those_beside_it_join() {
   check_crossing(drawn({"#..", "...", "..#"}, periodic), "", "xy");
-  // Both sides are touched, but a period further the part is another one.
   check_crossing(drawn({"##.", ".##", "..."}), "x", "x");
   check_crossing(drawn({"##..", ".##.", "..##", "#..#"}, periodic), "xy", "xy");
   check_crossing(drawn({"....", "##.#", "...."}, periodic), "", "xy");
   check_crossing(drawn({"....", "####", "...."}, periodic), "x", "x");
+  // A channel that leaves at the lower side and comes back at the upper one, and ends at another height than it began.
+  const std::vector<std::string> wrapping{"#.##", "#.##", "..##", "####", "#..."},
+      inverse{".#..", ".#..", "##..", "....", ".###"};
+  for (const std::int32_t boundary : {periodic, periodic_y}) {
+    check_crossing(drawn(wrapping, boundary), "xy", "x");
+    check_crossing(drawn(inverse, boundary), "x", "xy");
+  }
+  check_crossing(transposed(drawn(wrapping, periodic)), "xy", "y");
+  for (const std::int32_t boundary : {free_sides, periodic_x}) {
+    check_crossing(drawn(wrapping, boundary), "xy", "");
+    check_crossing(drawn(inverse, boundary), "", "xy");
+  }
 }
 
 void masked_points_are_neither() {
@@ -49,39 +62,32 @@ void masked_points_are_neither() {
   check_crossing(drawn({"..x..", "..x.."}), "", "y");
 }
 
-// Along each direction: from every cell, the copies of itself that a walk on the unrolled grid reaches.
-bool walks_around(const Map& map, bool contact, bool along_x) {
+// From every cell of one side: whether a walk reaches the opposite one. It goes on across the axis where the grid repeats.
+bool walks_across(const Map& map, bool contact, bool along_x) {
   const std::int64_t nx = map.system.nx, ny = map.system.ny;
-  const bool around = map.system.boundary == periodic;
-  using Place = std::pair<std::int64_t, std::int64_t>;
-  const auto wrapped = [](std::int64_t value, std::int64_t n) { return (value % n + n) % n; };
-  const auto inside = [&](Place place) {
-    if (!around && (place.first < 0 || place.first >= nx || place.second < 0 || place.second >= ny)) return false;
-    const std::int64_t i = wrapped(place.second, ny) * nx + wrapped(place.first, nx);
+  const std::int32_t boundary = map.system.boundary;
+  const bool around = boundary == periodic || boundary == (along_x ? RC_BOUNDARY_PERIODIC_Y : RC_BOUNDARY_PERIODIC_X);
+  using Place = std::pair<std::int64_t, std::int64_t>;  // along the axis, across it
+  const std::int64_t length = along_x ? nx : ny, width = along_x ? ny : nx;
+  const auto inside = [&](const Place& place) {
+    if (place.first < 0 || place.first >= length || place.second < 0 || place.second >= width) return false;
+    const std::int64_t i = along_x ? place.second * nx + place.first : place.first * nx + place.second;
     const bool counted = map.mask.empty() || map.mask[static_cast<std::size_t>(i)] != 0;
     return counted && map.touches(i) == contact;
   };
-  for (std::int64_t start = 0; start < nx * ny; ++start) {
-    const Place from{start % nx, start / nx};
-    if (!inside(from)) continue;
-    std::set<Place> met{from};
-    std::queue<Place> border({from});
-    bool low = false, high = false;
-    while (!border.empty()) {
-      const Place at = border.front();
-      border.pop();
-      const std::int64_t along = along_x ? at.first : at.second, n = along_x ? nx : ny;
-      low = low || along == 0;
-      high = high || along == n - 1;
-      const bool itself = wrapped(at.first, nx) == from.first && wrapped(at.second, ny) == from.second;
-      if (around && itself && along != (along_x ? from.first : from.second)) return true;
-      for (const Place& step : {Place{1, 0}, Place{-1, 0}, Place{0, 1}, Place{0, -1}}) {
-        const Place next{at.first + step.first, at.second + step.second};
-        if (std::abs(next.first) > 3 * nx || std::abs(next.second) > 3 * ny) continue;
-        if (inside(next) && met.insert(next).second) border.push(next);
-      }
+  std::set<Place> met;
+  std::queue<Place> border;
+  for (std::int64_t start = 0; start < width; ++start)
+    if (inside({0, start}) && met.insert({0, start}).second) border.push({0, start});
+  while (!border.empty()) {
+    const Place at = border.front();
+    border.pop();
+    if (at.first == length - 1) return true;
+    for (const Place& step : {Place{1, 0}, Place{-1, 0}, Place{0, 1}, Place{0, -1}}) {
+      Place next{at.first + step.first, at.second + step.second};
+      if (around) next.second = (next.second + width) % width;
+      if (inside(next) && met.insert(next).second) border.push(next);
     }
-    if (!around && low && high) return true;
   }
   return false;
 }
@@ -90,16 +96,16 @@ void random_maps_cross_as_walks_do() {
   std::mt19937_64 random(5);
   int crossed[2] = {};
   for (const auto& [nx, ny] : {std::pair<std::int64_t, std::int64_t>{1, 1}, {1, 4}, {4, 1}, {2, 3}, {5, 5}, {9, 7}})
-    for (const std::int32_t boundary : {free_sides, periodic})
+    for (const std::int32_t boundary : {free_sides, periodic, periodic_x, periodic_y})
       for (const double share : {0.3, 0.5, 0.65, 0.8})
         for (const double masked : {0.0, 0.1})
           for (int repeat = 0; repeat < 4; ++repeat) {
             const Map map = random_map(nx, ny, boundary, share, masked, random);
             const rc_crossing found = crossing_of(map);
-            check_equal(found.contact_x, walks_around(map, true, true), "contact along x");
-            check_equal(found.contact_y, walks_around(map, true, false), "contact along y");
-            check_equal(found.gap_x, walks_around(map, false, true), "gap along x");
-            check_equal(found.gap_y, walks_around(map, false, false), "gap along y");
+            check_equal(found.contact_x, walks_across(map, true, true), "contact along x");
+            check_equal(found.contact_y, walks_across(map, true, false), "contact along y");
+            check_equal(found.gap_x, walks_across(map, false, true), "gap along x");
+            check_equal(found.gap_y, walks_across(map, false, false), "gap along y");
             ++crossed[found.contact_x];
           }
   check(crossed[0] > 50 && crossed[1] > 50, "maps of both kinds");
@@ -110,7 +116,7 @@ void random_maps_cross_as_walks_do() {
 std::vector<Test> crossing_tests() {
   return {{"ridges_cross_along_themselves", ridges_cross_along_themselves},
           {"corners_do_not_connect", corners_do_not_connect},
-          {"periodic_parts_must_meet_themselves", periodic_parts_must_meet_themselves},
+          {"sides_along_the_axis_stay_apart_and_those_beside_it_join", sides_along_the_axis_stay_apart_and_those_beside_it_join},
           {"masked_points_are_neither_contact_nor_gap", masked_points_are_neither},
           {"random_maps_cross_as_walks_do", random_maps_cross_as_walks_do}};
 }

@@ -343,6 +343,12 @@ void bad_input_is_refused() {
   refused(bad, "p_upper", [](Patch& patch) { patch.spec.p_upper = std::numeric_limits<double>::infinity(); });
   refused(bad, "double precision", [](Patch& patch) { patch.spec.tolerance = 1e-9; });
   refused(bad, "tolerance_conductance", [](Patch& patch) { patch.spec.tolerance_conductance = 1e-6; });
+  refused(RC_ERR_INFEASIBLE, "the patch is closed: it yields as a whole; lower p_upper", [](Patch& patch) {
+    patch.problem.system.boundary = RC_BOUNDARY_FREE;
+    patch.problem.kernel = "love";
+    patch.problem.system.hardness = patch.spec.p_upper;
+    patch.spec.bulk = RC_LAW_BULK_MEAN;
+  });
   refused(bad, "rc_law_spec.bulk", [](Patch& patch) { patch.spec.bulk = 7; });
   refused(bad, "bulk_stiffness", [](Patch& patch) { patch.spec.bulk = RC_LAW_BULK_GIVEN; });
   refused(bad, "max_nodes", [](Patch& patch) { patch.spec.max_nodes = 2; });

@@ -2,6 +2,7 @@
 #include <roughcontact/product.h>
 
 #include <cmath>
+#include <set>
 
 #include "support/naive.h"
 #include "support/registry.h"
@@ -93,6 +94,44 @@ void of_a_matrix() {
   check_near(applied(made(problem.system).get(), p), expected, 1e-13, "by a function");
 }
 
+// Small distances of both signs, against a list of the places.
+void distances_are_refused_exactly_if_points_coincide() {
+  for (const auto& [columns, rows] : {std::pair<std::int64_t, std::int64_t>{4, 3}, {1, 5}, {5, 1}, {1, 1}}) {
+    const Problem problem = rough_problem(columns, rows);
+    const Product product = made(problem.system);
+    const Field p = pressures(problem.points());
+    Field u(400);
+    for (std::int64_t x = -13; x <= 13; ++x)
+      for (std::int64_t y = -13; y <= 13; ++y) {
+        std::set<std::int64_t> places;
+        for (std::int64_t iy = 0; iy < rows; ++iy)
+          for (std::int64_t ix = 0; ix < columns; ++ix) places.insert(ix * x + iy * y);
+        const bool coincide = places.size() < problem.points();
+        const rc_status status = rc_product_apply(product.get(), p.data(), 1, columns, u.data() + 200, x, y);
+        const std::string words = "u_x = " + std::to_string(x) + ", u_y = " + std::to_string(y);
+        check_equal(status, coincide ? RC_ERR_ARGUMENT : RC_OK, words);
+        if (coincide) check(std::string(rc_last_error()).find(words) != std::string::npos, rc_last_error());
+      }
+  }
+}
+
+// Offsets beyond the range of addresses are refused, before they are computed; a distance that no point has does not matter.
+void huge_distances() {
+  const Problem problem = rough_problem(nx, ny), row = rough_problem(nx, 1);
+  const Product product = made(problem.system), of_row = made(row.system);
+  const Field p = pressures(problem.points());
+  Field u(p.size(), 5);
+  for (const std::int64_t huge : {INT64_MAX, INT64_MIN, INT64_MIN + 1, INT64_MAX / 8 / nx, INT64_MAX / 2 + 1})
+    for (const bool along_x : {true, false}) {
+      check_equal(rc_product_apply(product.get(), p.data(), 1, nx, u.data(), along_x ? huge : 1, along_x ? 1 : huge),
+                  RC_ERR_ARGUMENT, "u");
+      check_equal(rc_product_apply(product.get(), p.data(), along_x ? huge : 1, along_x ? 1 : huge, u.data(), 1, nx),
+                  RC_ERR_ARGUMENT, "p");
+    }
+  check_same(u, Field(u.size(), 5), "u after refusals");
+  check_equal(rc_product_apply(of_row.get(), p.data(), 1, INT64_MIN, u.data(), 1, INT64_MIN), RC_OK, "one row");
+}
+
 void refusals() {
   const Problem problem = rough_problem(nx, ny);
   rc_product* none = nullptr;
@@ -122,6 +161,8 @@ void refusals() {
 int main(int argc, char** argv) {
   std::vector<Test> tests{{"pressures_and_deflections_in_any_memory_order", in_any_order},
                           {"a_matrix_and_a_function", of_a_matrix},
+                          {"distances_are_refused_exactly_if_points_coincide", distances_are_refused_exactly_if_points_coincide},
+                          {"huge_distances", huge_distances},
                           {"bad_calls_are_refused", refusals}};
   for (const auto& [boundary, kernels] :
        {std::pair{RC_BOUNDARY_FREE, std::vector<std::string>{"love", "eq9", "galerkin"}}, {RC_BOUNDARY_PERIODIC, {"spectral"}}})

@@ -114,6 +114,36 @@ void known_sets() {
     }
 }
 
+// The stiffness of all but few points of a period is large, and keeps the tolerance: that of punches, and of steps whose surface
+// has few deep pits.
+void few_points_of_a_period_are_left_out() {
+  std::mt19937 random(11);
+  for (const auto& [nx, ny] : {std::pair<std::int64_t, std::int64_t>{24, 17}, {38, 31}, {5, 37}})
+    for (std::size_t open = 1; open <= 3; ++open) {
+      Problem problem = rough_problem(nx, ny, RC_BOUNDARY_PERIODIC, 0.5, 0.75);
+      problem.gap.assign(problem.points(), 0);
+      std::vector<std::uint8_t> mask(problem.points(), 1);
+      for (std::size_t k = 0; k < open; ++k) mask[random() % mask.size()] = 0;
+      for (std::size_t i = 0; i < mask.size(); ++i) problem.gap[i] = mask[i] ? 0 : 30;
+      problem.control = RC_CONTROL_LOAD;
+      problem.target = problem.cell_area() * static_cast<double>(problem.points());
+      const double exact = pressed(problem, mask, by_factors).stiffness;
+      for (const double tol : {6e-2, 1e-3, 1e-4, 3e-5, 1e-6}) {
+        const Settings settings{{RC_OPT_TOL, text(tol)}};
+        const Punch punch = pressed(problem, mask, by_products, settings);
+        check_near(punch.stiffness, exact, tol * exact, "a punch, tol " + text(tol));
+        check(punch.lower <= exact && exact <= punch.upper, "the exact one is outside the interval of a punch");
+        for (const char* wanted : {"1", "2"}) {
+          Settings with = settings;
+          with.emplace_back(RC_OPT_STIFFNESS, wanted);
+          const Answer answer = solved(problem, by_products, with);
+          check(touching(answer) == mask, "other points are open");
+          check_near(answer.result.stiffness, exact, tol * exact, "a step, tol " + text(tol));
+        }
+      }
+    }
+}
+
 void other_operators() {
   const Field H = {2, 0.5, 0.25, 0.5, 2, 0.5, 0.25, 0.5, 4};
   Problem problem;
@@ -162,6 +192,7 @@ int main(int argc, char** argv) {
                     {"a_hardness_does_not_count", a_hardness_does_not_count},
                     {"it_grows_with_the_set", it_grows_with_the_set},
                     {"known_sets", known_sets},
+                    {"few_points_of_a_period_are_left_out", few_points_of_a_period_are_left_out},
                     {"other_operators", other_operators},
                     {"a_time_limit_stops_it", a_time_limit_stops_it}},
                    argc, argv);

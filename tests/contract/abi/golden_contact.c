@@ -103,7 +103,7 @@ AT(rc_result, struct_size, 0);
 AT(rc_result, p, 8);
 AT(rc_result, gap, 32);
 AT(rc_result, status, 56);
-AT(rc_result, reserved, 60);
+AT(rc_result, homogeneous, 60);
 AT(rc_result, load, 64);
 AT(rc_result, approach, 72);
 AT(rc_result, mean_pressure, 80);

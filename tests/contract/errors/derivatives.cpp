@@ -101,7 +101,10 @@ struct Conduct {
   rc_result result = RC_RESULT_INIT;
   double rho1 = 1, rho2 = 2, out[3] = {untouched, untouched, untouched};
   double* conductance = out;
-  Conduct() { result.stiffness = 3; }
+  Conduct() {
+    result.stiffness = 3;
+    result.homogeneous = 1;
+  }
 };
 template <class Spoil> auto conductance(const Spoil& spoil) {
   return [=] {
@@ -231,6 +234,13 @@ Section derivatives() {
            refused,
            {"rc_conductance: rc_system.modulus = 0 must be positive and finite"},
            conductance([](Conduct& c) { c.system.modulus = 0; })},
+          {"conductance: a layer",
+           refused,
+           {"rc_conductance: rc_result.homogeneous = 0: kernel \"layer\" is not that of a homogeneous half-space"},
+           conductance([](Conduct& c) {
+             c.result.homogeneous = 0;
+             std::snprintf(c.result.kernel, sizeof c.result.kernel, "layer");
+           })},
           {"conductance: negative resistivity",
            refused,
            {"rc_conductance: rho1 = -1 and rho2 = 2 must be finite, >= 0 and not both 0"},

@@ -315,45 +315,46 @@ Section laws() {
 Section products() {
   const rc_status refused = RC_ERR_ARGUMENT;
   const auto nothing = [](std::vector<double>&) {};
-  return {"Products",
-          {
-              {"`rc_product_create`: no boundary",
-               refused,
-               {"rc_product_create: rc_system.boundary is not set"},
-               [] {
-                 Scene scene;
-                 scene.system.boundary = 0;
-                 rc_product* product = nullptr;
-                 const Outcome outcome = rc_product_create(&scene.system, nullptr, &product);
-                 assert_null(product);
-                 return outcome;
-               }},
-              {"`rc_product_create`: nx = 0",
-               RC_ERR_SHAPE,
-               {"rc_product_create: nx = 0"},
-               [] {
-                 Scene scene;
-                 scene.system.nx = 0;
-                 rc_product* product = nullptr;
-                 return rc_product_create(&scene.system, nullptr, &product);
-               }},
-              {"`rc_product_apply`: p with NaN",
-               refused,
-               {"rc_product_apply: p at point (1, 1) = nan is not finite"},
-               product_with([](std::vector<double>& p) { p[5] = nan; })},
-              {"`rc_product_apply`: deflections overflow",
-               RC_ERR_NUMERIC,
-               {"rc_product_apply: a deflection is not finite; p is up to"},
-               product_with([](std::vector<double>& p) { p.assign(points, 1.7e308); })},
-              {"`rc_product_apply`: points of u coincide",
-               refused,
-               {"rc_product_apply: u_x = 1, u_y = 0: points of u coincide"},
-               product_with(nothing, side, 0)},
-              {"`rc_product_apply`: a distance beyond all memory",
-               refused,
-               {"rc_product_apply: a distance between neighbours, 4611686018427387904, is too large"},
-               product_with(nothing, std::int64_t{1} << 62)},
-          }};
+  return {
+      "Products",
+      {
+          {"`rc_product_create`: no boundary",
+           refused,
+           {"rc_product_create: rc_system.boundary is not set"},
+           [] {
+             Scene scene;
+             scene.system.boundary = 0;
+             rc_product* product = nullptr;
+             const Outcome outcome = rc_product_create(&scene.system, nullptr, &product);
+             assert_null(product);
+             return outcome;
+           }},
+          {"`rc_product_create`: nx = 0",
+           RC_ERR_SHAPE,
+           {"rc_product_create: nx = 0"},
+           [] {
+             Scene scene;
+             scene.system.nx = 0;
+             rc_product* product = nullptr;
+             return rc_product_create(&scene.system, nullptr, &product);
+           }},
+          {"`rc_product_apply`: p with NaN",
+           refused,
+           {"rc_product_apply: p at point (1, 1) = nan is not finite"},
+           product_with([](std::vector<double>& p) { p[5] = nan; })},
+          {"`rc_product_apply`: deflections overflow",
+           RC_ERR_NUMERIC,
+           {"rc_product_apply: a deflection is not finite; p is up to"},
+           product_with([](std::vector<double>& p) { p.assign(points, 1.7e308); })},
+          {"`rc_product_apply`: points of u coincide",
+           refused,
+           {"rc_product_apply: u_x = 1, u_y = 0: some of the 4 x 4 points of u coincide"},
+           product_with(nothing, side, 0)},
+          {"`rc_product_apply`: a distance beyond all memory",
+           refused,
+           {"rc_product_apply: p_y = 4611686018427387904, a distance between neighbours, must be within +-144115188075855871"},
+           product_with(nothing, std::int64_t{1} << 62)},
+      }};
 }
 
 }  // namespace errors

@@ -1,4 +1,8 @@
 // Kernels from outside: what they give, and which descriptions are refused.
+#include <roughcontact/analysis.h>
+#include <roughcontact/law.h>
+
+#include <algorithm>
 #include <functional>
 
 #include "kernel_scene.h"
@@ -130,6 +134,158 @@ void boundaries_and_cells_are_checked(void**) {
   rc_options_destroy(options);
 }
 
+// exp(-|x| - |y|) on a grid that repeats along one axis, spoilt where the test says.
+rc_status strip_window(const rc_host*, const rc_kernel_spec* spec, std::int64_t first_x, std::int64_t first_y, std::int64_t mx,
+                       std::int64_t my, double* out) {
+  const rc_system& s = *spec->system;
+  const auto folded = [](std::int64_t offset, std::int64_t period) {
+    return std::min(offset % period, period - offset % period);
+  };
+  for (std::int64_t iy = first_y; iy < first_y + my; ++iy)
+    for (std::int64_t ix = first_x; ix < first_x + mx; ++ix) {
+      const std::int64_t x = s.boundary == RC_BOUNDARY_PERIODIC_X ? folded(ix, s.nx) : ix,
+                         y = s.boundary == RC_BOUNDARY_PERIODIC_Y ? folded(iy, s.ny) : iy;
+      *out++ = (ix == of(spec).x && iy == of(spec).y ? of(spec).factor : 1) * std::exp(-static_cast<double>(x + y));
+    }
+  return RC_OK;
+}
+
+rc_kernel strip(Spoilt& spoilt) {
+  rc_kernel kernel = decay(spoilt);
+  kernel.caps = RC_KERNEL_FREE | RC_KERNEL_SEMI_PERIODIC;
+  kernel.window = strip_window;
+  kernel.symbol = nullptr;
+  return kernel;
+}
+
+// Wherever the false coefficient lies, also where a transform does not read it.
+void coefficients_of_a_period_must_be_symmetric(void**) {
+  for (const char* backend : {"dense", "fft", "auto"})
+    for (const std::int32_t boundary : {RC_BOUNDARY_PERIODIC_X, RC_BOUNDARY_PERIODIC_Y}) {
+      const bool along_x = boundary == RC_BOUNDARY_PERIODIC_X;
+      const auto pressed = [&](Spoilt spoilt) {
+        const Registry registry("");
+        const rc_kernel kernel = strip(spoilt);
+        assert_int_equal(add(registry, kernel), RC_OK);
+        return Pressed(registry, {{RC_OPT_KERNEL, "decay"}, {RC_OPT_BACKEND, backend}}, boundary).status;
+      };
+      assert_int_equal(pressed({}), RC_OK);
+      assert_int_equal(pressed({.x = 3, .y = 3, .factor = 1 + 1e-13}), RC_OK);
+      for (const std::int64_t along : {1, 4, 5, 7, 11})
+        for (const std::int64_t across : {0, 2, 11}) {
+          const std::int64_t x = along_x ? along : across, y = along_x ? across : along;
+          assert_int_equal(pressed({.x = x, .y = y, .factor = 0.9}), RC_ERR_NUMERIC);
+          assert_message_has("kernel \"decay\": the coefficients at offsets (");
+          const auto place = [](std::int64_t at_x, std::int64_t at_y) {
+            return "(" + std::to_string(at_x) + ", " + std::to_string(at_y) + ")";
+          };
+          assert_message_has(place(x, y).c_str());
+          assert_message_has(place(along_x ? side - x : x, along_x ? y : side - y).c_str());
+          assert_message_has(along_x ? "the grid repeats after 12 points along x" : "the grid repeats after 12 points along y");
+        }
+    }
+}
+
+void coefficients_must_not_depend_on_the_window(void**) {
+  const Registry registry("", RC_CONTEXT_NO_PLUGINS);
+  Spoilt spoilt;
+  rc_kernel kernel = decay(spoilt);
+  kernel.window = [](const rc_host* host, const rc_kernel_spec* spec, std::int64_t first_x, std::int64_t first_y, std::int64_t mx,
+                     std::int64_t my, double* out) {
+    decay_window(host, spec, first_x, first_y, mx, my, out);
+    for (std::int64_t i = 0; i < mx * my; ++i) out[i] /= first_x == 0 ? 1 : 2;
+    return rc_status{RC_OK};
+  };
+  assert_int_equal(add(registry, kernel), RC_OK);
+  assert_int_equal(Pressed(registry, {{RC_OPT_KERNEL, "decay"}}).status, RC_ERR_NUMERIC);
+  assert_message_has("kernel \"decay\": the coefficient at offset (1, 0) is ");
+  assert_message_has("must not depend on the window");
+}
+
+// Barber's relation is that of a homogeneous half-space, which a kernel must say.
+void conductance_needs_a_homogeneous_half_space(void**) {
+  for (const bool homogeneous : {false, true})
+    for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC}) {
+      const Registry registry("", RC_CONTEXT_NO_PLUGINS);
+      Spoilt sound;
+      rc_kernel kernel = decay(sound);
+      if (homogeneous) kernel.caps |= RC_KERNEL_HOMOGENEOUS;
+      assert_int_equal(add(registry, kernel), RC_OK);
+      const Pressed pressed(registry, {{RC_OPT_KERNEL, "decay"}, {RC_OPT_STIFFNESS, "1"}}, boundary);
+      assert_int_equal(pressed.status, RC_OK);
+      assert_int_equal(pressed.result.homogeneous, homogeneous);
+      const rc_system system = support::unit_system();
+      double conductance = -7;
+      const rc_status status = rc_conductance(&system, &pressed.result, 1, 1, &conductance, nullptr, nullptr);
+      assert_int_equal(status, homogeneous ? RC_OK : RC_ERR_ARGUMENT);
+      if (homogeneous) {
+        assert_near(conductance, pressed.result.stiffness, 1e-12);
+      } else {
+        assert_message_has("rc_result.homogeneous = 0: kernel \"decay\" is not that of a homogeneous half-space");
+        assert_true(conductance == -7);
+      }
+    }
+}
+
+// The law of a layer has pressures and slopes, and no conductance, also after it was saved.
+void a_law_remembers_whether_it_has_a_conductance(void**) {
+  const Registry registry("", RC_CONTEXT_NO_PLUGINS);
+  Spoilt sound;
+  const rc_kernel kernel = decay(sound);
+  assert_int_equal(add(registry, kernel), RC_OK);
+  rc_options* options = nullptr;
+  assert_int_equal(rc_options_create(registry.get(), &options), RC_OK);
+  const Scratch scratch;
+  const std::string path = scratch.path() + "/a.law", deck = scratch.path() + "/a.inp";
+  rc_system system = support::unit_system();
+  system.nx = system.ny = side;
+  system.boundary = RC_BOUNDARY_PERIODIC;
+  std::vector<double> gap;
+  for (std::int64_t i = 0; i < side * side; ++i) gap.push_back(static_cast<double>(i * 37 % 101) * 1e-2);
+  rc_law_spec spec = RC_LAW_SPEC_INIT;
+  spec.undeformed_gap = gap.data();
+  spec.p_lower = 0.01;
+  spec.p_upper = 0.05;
+  spec.tolerance = 0.05;
+  for (const char* name : {"decay", "spectral"}) {
+    const bool homogeneous = std::string(name) == "spectral";
+    assert_int_equal(rc_options_set_text(options, RC_OPT_KERNEL, name), RC_OK);
+    rc_law* law = nullptr;
+    spec.tolerance_conductance = 0.5;
+    const rc_status asked = rc_law_create(&system, options, &spec, &law);
+    if (!homogeneous) {
+      assert_int_equal(asked, RC_ERR_ARGUMENT);
+      assert_message_has("rc_law_spec.tolerance_conductance = 0.5: no conductance follows from the slope of this law");
+    }
+    rc_law_destroy(law);
+    spec.tolerance_conductance = 0;
+    assert_true(rc_law_create(&system, options, &spec, &law) >= 0);
+    for (int loaded = 0; loaded < 2; ++loaded) {
+      rc_law_info info = RC_LAW_INFO_INIT;
+      assert_int_equal(rc_law_describe(law, &info), RC_OK);
+      assert_true((info.modulus > 0) == homogeneous);
+      double conductance = -7;
+      assert_int_equal(rc_law_gap_conductance(law, 0.02, 1, 1, &conductance), homogeneous ? RC_OK : RC_ERR_ARGUMENT);
+      if (!homogeneous) assert_message_has("a layer, or the caller's own matrix, product or kernel");
+      rc_law_point point = RC_LAW_POINT_INIT;
+      assert_int_equal(rc_law_evaluate(law, info.x_lower * 1.5, &point), RC_OK);
+      assert_true(point.slope > 0 && std::isnan(point.conductance) == !homogeneous);
+      rc_law_export_spec cards = RC_LAW_EXPORT_SPEC_INIT;
+      cards.format = RC_LAW_ABAQUS;
+      assert_int_equal(rc_law_export(law, deck.c_str(), &cards), RC_OK);
+      cards.rho1 = 1;
+      assert_int_equal(rc_law_export(law, deck.c_str(), &cards), homogeneous ? RC_OK : RC_ERR_ARGUMENT);
+      if (!homogeneous) assert_message_has("rc_law_export_spec.rho1 = 1, rho2 = 0: no conductance follows");
+      if (loaded) break;
+      assert_int_equal(rc_law_save(law, path.c_str()), RC_OK);
+      rc_law_destroy(law);
+      assert_int_equal(rc_law_load(path.c_str(), &law), RC_OK);
+    }
+    rc_law_destroy(law);
+  }
+  rc_options_destroy(options);
+}
+
 void a_backend_that_needs_the_far_field_is_passed_over(void**) {
   const Registry registry("");
   Spoilt sound;
@@ -156,6 +312,10 @@ const std::vector<CMUnitTest> kernel_tests = {
     cmocka_unit_test(its_options_are_fixed),
     cmocka_unit_test(spoilt_kernels_are_refused),
     cmocka_unit_test(boundaries_and_cells_are_checked),
+    cmocka_unit_test(coefficients_of_a_period_must_be_symmetric),
+    cmocka_unit_test(coefficients_must_not_depend_on_the_window),
+    cmocka_unit_test(conductance_needs_a_homogeneous_half_space),
+    cmocka_unit_test(a_law_remembers_whether_it_has_a_conductance),
     cmocka_unit_test(a_backend_that_needs_the_far_field_is_passed_over),
 };
 

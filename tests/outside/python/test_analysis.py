@@ -70,6 +70,14 @@ def test_crossing():
     mask[:, 2] = False
     assert rc.analysis.crossing(ridge, mask=mask) == rc.Crossing("none", "none")
     refused(rc.ArgumentError, "p\\[0\\]", rc.analysis.crossing, -np.ones((2, 2)))
+    # A channel that goes around along y: the sides at the ends of x stay apart in any case.
+    wrapping = np.array([[c == "#" for c in row] for row in ("#.##", "#.##", "..##", "####", "#...")], float)
+    gaps = {periodic: rc.analysis.crossing(wrapping, periodic=periodic).gap for periodic in (False, True, "x", "y")}
+    assert gaps == {False: "none", True: "x", "x": "none", "y": "x"}
+    assert str(rc.analysis.crossing(wrapping, periodic=True)) == (
+        "the contact crosses along x (with y periodic) and along y (with x periodic), the gap along x (with y periodic)"
+    )
+    assert str(rc.analysis.crossing(wrapping)).endswith("the gap along no axis")
 
 
 def test_results_have_what_the_command_prints(rough):

@@ -1,4 +1,4 @@
-"""What summary.json says of the contact's shape, against NumPy and a flood fill that walks around periodic grids."""
+"""What summary.json says of the contact's shape, against NumPy and flood fills."""
 import json
 
 import harness
@@ -6,36 +6,39 @@ from harness import CommandTest, np, rough, without_gnuplot
 
 
 def flooded(inside, periodic):
-    """Connected parts, each as {point: places on the unwrapped plane where it was met}."""
-    ny, nx = inside.shape
+    """The connected parts, each as a set of points."""
     left = set(zip(*np.nonzero(inside)))
     while left:
-        start = left.pop()
-        met, border = {start: {(0, 0)}}, [(*start, 0, 0)]
+        border = [left.pop()]
+        met = set(border)
         while border:
-            y, x, sy, sx = border.pop()
-            for y1, x1 in ((y + 1, x), (y - 1, x), (y, x + 1), (y, x - 1)):
-                ty, tx = sy + y1 // ny, sx + x1 // nx
-                if not periodic and (ty, tx) != (0, 0):
-                    continue
-                point = y1 % ny, x1 % nx
-                if not inside[point] or abs(ty) > 2 or abs(tx) > 2 or (ty, tx) in met.setdefault(point, set()):
-                    continue
-                met[point].add((ty, tx))
-                border.append((*point, ty, tx))
-                left.discard(point)
-        yield {point: places for point, places in met.items() if places}
+            y, x = border.pop()
+            for point in ((y + 1, x), (y - 1, x), (y, x + 1), (y, x - 1)):
+                point = (point[0] % inside.shape[0], point[1] % inside.shape[1]) if periodic else point
+                if point in left:
+                    left.discard(point)
+                    met.add(point)
+                    border.append(point)
+        yield met
 
 
 def crossing(inside, periodic):
-    found = set()
-    for part in flooded(inside, periodic):
-        for axis, name in ((1, "x"), (0, "y")):
-            if periodic and any(len({place[axis] for place in places}) > 1 for places in part.values()):
-                found.add(name)
-            if not periodic and {0, inside.shape[axis] - 1} <= {point[axis] for point in part}:
-                found.add(name)
-    return "".join(sorted(found)) or "none"
+    """The sides at the ends of an axis stay apart; across it a periodic map repeats."""
+    found = ""
+    for name, along in (("x", inside.T), ("y", inside)):
+        n, width = along.shape
+        met = {(0, k) for k in np.flatnonzero(along[0])}
+        border = list(met)
+        while border:
+            i, k = border.pop()
+            for point in ((i + 1, k), (i - 1, k), (i, k + 1), (i, k - 1)):
+                point = (point[0], point[1] % width) if periodic else point
+                if 0 <= point[0] < n and 0 <= point[1] < width and along[point] and point not in met:
+                    met.add(point)
+                    border.append(point)
+        if any(i == n - 1 for i, _ in met):
+            found += name
+    return found or "none"
 
 
 class Measures(CommandTest):
@@ -60,6 +63,7 @@ class Measures(CommandTest):
                 self.assertEqual(step["contact_crosses"], crossing(contact, periodic))
                 self.assertEqual(step["gap_crosses"], crossing(~contact, periodic))
                 crossed |= {step["contact_crosses"], step["gap_crosses"]}
+        self.assertEqual(json.loads((self.folder / "out/summary.json").read_text())["input"]["crossing"], "along x with y periodic, along y with x periodic")
         self.assertIn("none", crossed)
         self.assertIn("xy", crossed)
 

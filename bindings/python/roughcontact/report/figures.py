@@ -8,6 +8,8 @@ import numpy as np
 from .._arrays import Doubles
 from .._constants import RC_LAW_BULK_MEAN
 from .._pictures import COLOURS, GROUND
+from ..analysis import Crossing
+from ..system import axes_of
 from .content import Content
 from .quantities import prefix_for
 from .wording import status
@@ -215,7 +217,9 @@ class Figures:
         return Figure("pressure", "Pressure", told + self._of_blocks("largest"), figure, self.wide)
 
     def gap_map(self) -> Figure:
-        told = "Between the deformed bodies in the last step; 0 in contact." + self._of_blocks("mean")
+        last = self.content.steps[-1]
+        crossing = Crossing(last.contact_crosses, last.gap_crosses, axes_of(last.grid.periodic))
+        told = f"Between the deformed bodies in the last step; 0 in contact. From side to side {crossing}." + self._of_blocks("mean")
         return Figure("gaps", "Gap", told, self._map(self.content.maps.gap, "m", "gap", "Viridis"), self.wide)
 
     def pressures(self) -> Optional[Figure]:
