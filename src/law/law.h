@@ -29,4 +29,8 @@ struct LawWidth {
 };
 LawWidth widest(const rc_law_node& node, const rc_law_node& next, double bulk_yield);
 
+// Widens the slopes' interval of `node` as little as it takes for a chord between the pressures of both nodes to be inside all
+// bounds. The intervals of loads and stiffnesses at the nodes, and round-off, can contradict a chord by as little as they are wide.
+void admit_chord(rc_law_node& node, const rc_law_node& next);
+
 }  // namespace rc
