@@ -18,8 +18,8 @@ LawInterval knotted(double length, double theta, double first, double middle, do
   return {{before, first, middle}, {length - before, middle, last}};
 }
 
-// The middle slope is the one with which p rises from node to node. A knot near a node is a double, so that the parabolas that are
-// evaluated from it meet exactly. Nothing if p would fall.
+// The middle slope is the one with which p rises from node to node. A knot near a node is a double, so that the parabolas that
+// are evaluated from it meet exactly. Nothing if p would fall.
 std::optional<LawInterval> rising(const rc_law_node& node, const rc_law_node& next, double before) {
   const double length = next.x - node.x;
   if (std::min(before, length - before) < short_part * next.x) before = (node.x + before) - node.x;

@@ -22,8 +22,8 @@ struct LawInterval {
   double energy(double p) const { return before.energy(p) + after.energy(p + before.rise()); }
 };
 
-// Where the tangents of both nodes meet: C1, and the slope at the knot is the chord's. If they meet at a node, the exact curve has a
-// kink there: one parabola, whose slope jumps at that node. Nothing if they meet elsewhere or p would fall.
+// Where the tangents of both nodes meet: C1, and the slope at the knot is the chord's. If they meet at a node, the exact curve
+// has a kink there: one parabola, whose slope jumps at that node. Nothing if they meet elsewhere or p would fall.
 std::optional<LawInterval> with_tangents(const rc_law_node& node, const rc_law_node& next);
 // C1, with the values and slopes of both nodes, and its knot at this share of the interval, > 0 and < 1. Nothing if p would fall.
 std::optional<LawInterval> with_knot(const rc_law_node& node, const rc_law_node& next, double share);

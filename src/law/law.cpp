@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "core/error.h"
 #include "core/limits.h"
 #include "law/table.h"
 
@@ -180,7 +181,8 @@ void Law::finish() {
     const LawInterval curve = curve_of(i);
     const LawPart &before = curve.before, &after = curve.after;
     pieces.piece(node.x, node.p, before.first, before.half_bend(), energy);
-    pieces.piece(node.x + before.length, node.p + before.rise(), after.first, after.half_bend(), energy + before.energy(node.p));
+    pieces.piece(std::min(next.x, node.x + before.length), std::min(next.p, node.p + before.rise()), after.first,
+                 after.half_bend(), energy + before.energy(node.p));
     energy += curve.energy(node.p);
     if (std::isnan(next.energy)) next.energy = energy;
     if (i == 0) continue;
@@ -188,7 +190,8 @@ void Law::finish() {
     info.bounds = std::max(info.bounds, node.bounds);
     if (node.bounds != RC_LAW_MONOTONE) info.width = std::max(info.width, widest(node, next, bulk_yield()).half);
     info.width_conductance = std::max(info.width_conductance, half_of(node.between_lower, node.between_upper));
-    info.width_area = std::max(info.width_area, half_of(node.area_lower, next.area_upper));
+    info.width_area = std::max(info.width_area,
+                               half_of(std::min(node.area_lower, next.area_lower), std::max(node.area_upper, next.area_upper)));
   }
   pieces.piece(nodes.back().x, nodes.back().p, nodes.back().slope, 0, energy);
   for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -197,6 +200,24 @@ void Law::finish() {
   info.nodes = static_cast<std::int64_t>(nodes.size());
   info.x_lower = nodes[1].x, info.p_lower = nodes[1].p;
   info.x_upper = nodes.back().x, info.p_upper = nodes.back().p;
+}
+
+rc_status Law::judged() const {
+  if (info.width > tolerance) return RC_STOP_STALLED;
+  return info.bounds == RC_LAW_MONOTONE ? RC_UNCERTIFIED : RC_OK;
+}
+
+std::string remark_of(const Law& law) {
+  switch (law.status) {
+    case RC_STOP_MAX_ITER:
+      return join("rc_law_spec.max_nodes did not allow the nodes that the tolerance needs: the law has ", law.info.nodes);
+    case RC_STOP_STALLED:
+      return join("double precision gives bounds of p within ", law.info.width, ", not ", law.tolerance);
+    case RC_UNCERTIFIED:
+      return "the tolerance is met by estimate: sets of points in contact or at the hardness give no proof between some nodes";
+    default:
+      return "";
+  }
 }
 
 }  // namespace rc
