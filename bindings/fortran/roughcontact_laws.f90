@@ -45,7 +45,8 @@ contains
     law = c_null_ptr
   end subroutine
 
-  ! The law of the file gets the number, 1 .. 64, for the whole process. To be called where a deck is read, not while another thread
+  ! The law of the file gets the number, 1 .. 64, for the whole process. Positive stat: the law is usable, and its tolerance is not
+  ! proven, see rc_law_create; without stat the program stops. To be called where a deck is read, not while another thread
   ! evaluates.
   subroutine rcf_law_open(name, path, number, stat, errmsg)
     character(*), intent(in) :: name, path
@@ -60,7 +61,7 @@ contains
     end if
     law = c_null_ptr
     status = rc_law_open(rc_to_c(name), rc_to_c(path), law)
-    if (status == RC_OK) laws(number) = law
+    if (c_associated(law)) laws(number) = law
     call rcf_check(status, stat, errmsg)
   end subroutine
 

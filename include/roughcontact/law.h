@@ -10,16 +10,22 @@
  *   others                x = change of the mean gap, or approach - load / (a given stiffness), see rc_law_spec.bulk.
  *
  * Bounds. If the contact sets of two neighbouring nodes are nested, p is convex between them: it lies above both tangents and
- * below the chord (RC_LAW_CONVEX). With a hardness the slope lies between those of two contact sets (RC_LAW_SLOPES). The bounds
- * of p then also need an inverse of H without positive entries off its diagonal, which is assumed of kernels other than love.
- * Otherwise p is only known to rise from one node to the next (RC_LAW_MONOTONE). The library checks at the nodes that the sets
- * grow from one node to the next, and assumes it in between. Bounds are widened by the intervals that are proven at the nodes
- * (rc_result.load_lower .. stiffness_upper). They hold for the discrete problem: this grid, this kernel.
+ * below the chord (RC_LAW_CONVEX). With a hardness the slope lies between those of two contact sets (RC_LAW_SLOPES). Otherwise p
+ * is only known to rise from one node to the next (RC_LAW_MONOTONE). Bounds are widened by the intervals that are proven at the
+ * nodes (rc_result.load_lower .. stiffness_upper). They hold for the discrete problem: this grid, this kernel.
  *
- * Between the nodes p is a C1 quadratic spline with one knot in each interval, where the tangents meet. It has the nodes'
- * values and slopes, is convex where they are, and so stays inside the bounds. Only where a node lies on a kink of the exact
- * curve, at which a point is about to touch, in intervals of RC_LAW_SLOPES and _MONOTONE that no such spline fits, which get
- * the chord, and below p_lower may its slope jump. Its energy is its exact integral.
+ * Assumption of RC_LAW_CONVEX and _SLOPES: contact sets, and sets of points at the hardness, grow with the approach. The library
+ * checks it at the nodes. It also holds between them if the inverse of H has no positive entry off its diagonal and no negative
+ * sum of a row. The library computes this for a matrix (RC_OPERATOR_DENSE), whose intervals are RC_LAW_MONOTONE without it; it
+ * is true of the kernel love, and assumed of the others.
+ *
+ * Between the nodes p is a quadratic spline with one knot in each interval. It has the nodes' values, rises, and is inside the
+ * bounds at every overclosure, to round-off. It is C1, with three exceptions, where its slope jumps:
+ *   at a node within 1e-9 of whose overclosure the exact curve has a kink: a point touches or reaches the hardness there;
+ *   at both ends of an interval that no such spline fits, which gets the chord: with RC_LAW_CONVEX by as little as the slopes and
+ *   pressures of the nodes are uncertain, with RC_LAW_SLOPES and _MONOTONE by any part of the slope;
+ *   at and below p_lower.
+ * Its energy is its exact integral.
  *
  * A law describes first loading: with a hardness, unloading is another law.
  */
@@ -45,7 +51,8 @@ typedef struct rc_law_spec {
   const uint8_t *mask;   /* [n] as rc_step.mask; NULL: all points                                                     */
   double area;           /* nominal area that p refers to [length^2], not less than that of the points; 0: nx hx ny hy */
   double p_lower, p_upper; /* the tolerances hold between these nominal pressures [force/length^2], 0 < lower < upper */
-  double tolerance;      /* half the width of the bounds of p, over p: 1e-6 .. 0.1; 1e-3 unless set                   */
+  double tolerance;      /* half the width of the bounds of p, over p: 1e-6 .. 0.1; 1e-3 unless set. p may be anywhere
+                            between the bounds, so up to twice the tolerance from the exact pressure                  */
   double tolerance_conductance; /* the same for the conductance, 1e-4 .. 1: more nodes. 0: no limit (default)         */
   int32_t bulk;          /* RC_LAW_BULK_*. NONE: x = approach. GIVEN: x = approach - load / bulk_stiffness. MEAN, not for
                             periodic boundaries: x = change of the mean gap. AUTO: MEAN for other half-spaces, else NONE */
@@ -75,7 +82,7 @@ typedef struct rc_law_info {
   double width;          /* largest half-width of the bounds of p, over p, between first and last node; intervals that are
                             RC_LAW_MONOTONE do not count                                                              */
   double width_conductance; /* the same of the conductance. A slope that jumps, where points touch, keeps it from 0   */
-  double width_area;     /* the same of the contact area                                                              */
+  double width_area;     /* the same of the contact area; all intervals count                                         */
   double energy_error;   /* largest difference between the integral and a node's own energy, over the latter; 0 with MEAN */
   double modulus;        /* E* of a homogeneous half-space; 0: no conductance follows from the slope, see rc_result.homogeneous */
   double hardness, area, bulk_stiffness; /* as given; the area is never 0                                             */
@@ -110,7 +117,7 @@ RC_API rc_status rc_law_describe_node(const rc_law *law, int64_t i, rc_law_node 
 RC_API rc_status rc_law_pressure(const rc_law *law, double x, double *p, double *slope, double *energy);
 /** n overclosures at a time; output arrays may be NULL. RC_OUTSIDE if any is beyond the last node. */
 RC_API rc_status rc_law_pressures(const rc_law *law, int64_t n, const double *x, double *p, double *slope, double *energy);
-/** The overclosure of a nominal pressure: the inverse. */
+/** The inverse: the least overclosure at which the law has a nominal pressure; infinite beyond a law that ends level. */
 RC_API rc_status rc_law_overclosure(const rc_law *law, double p, double *x);
 /** Electrical or thermal conductance per nominal area at a nominal pressure, 2 slope / (E* (rho1 + rho2)), as rc_conductance.
  *  Errors: ARGUMENT (also if rc_law_info.modulus is 0). */
@@ -119,10 +126,12 @@ RC_API rc_status rc_law_gap_conductance(const rc_law *law, double p, double rho1
 /** Every quantity of a law at one overclosure. The library writes every member. */
 typedef struct rc_law_point {
   size_t struct_size;
-  double x, p, p_lower, p_upper; /* the exact p of the grid lies between these; p_upper infinite beyond the last node  */
+  double x, p, p_lower, p_upper; /* the exact p of the grid lies between these, under the assumption at the head of this file;
+                            p_upper is infinite beyond the last node                                                  */
   double slope;          /* dp/dx [force/length^3]                                                                    */
   double energy;         /* integral of p over x [force/length]                                                       */
-  double area_fraction, area_lower, area_upper; /* contact area over nominal area                                     */
+  double area_fraction, area_lower, area_upper; /* contact area over nominal area; with RC_LAW_MONOTONE the bounds are those of
+                            both nodes, and not proven in between                                                     */
   double conductance, conductance_lower, conductance_upper; /* 2 slope / E* [1/length], to be divided by rho1 + rho2; NaN if
                             rc_law_info.modulus is 0                                                                  */
 } rc_law_point;
@@ -136,7 +145,8 @@ RC_API rc_status rc_law_evaluate(const rc_law *law, double x, rc_law_point *out)
  *  @{ */
 /** A text file with every bit of the law and a checksum. Errors: ARGUMENT (the file cannot be written). */
 RC_API rc_status rc_law_save(const rc_law *law, const char *path);
-/** Evaluates to the same bits as the law that was saved. Errors: ARGUMENT (cannot be read, damaged, of a newer version). */
+/** Evaluates to the same bits as the law that was saved, and returns the status of its making, see rc_law_create; with a positive
+ *  status there is a law as well. Errors: ARGUMENT (cannot be read, damaged, of a newer version). */
 RC_API rc_status rc_law_load(const char *path, rc_law **out);
 
 enum { RC_LAW_CSV = 1, RC_LAW_CALCULIX = 2, RC_LAW_ABAQUS = 3, RC_LAW_MOOSE = 4, RC_LAW_TABLE = 5 };
@@ -153,11 +163,13 @@ typedef struct rc_law_export_spec {
   double length, force;  /* one unit of the law in units of the deck; 0: 1                                            */
   double beyond;         /* one more row at this many times the last overclosure, on the last tangent, because these programs
                             continue with slope 0, from which Newton's method does not return. 0: 100; 1: none. Not CSV */
-  double error;          /* out: the largest distance between straight lines through the rows and the law, over p     */
+  double error;          /* out: the largest distance between straight lines through the rows and the law, over p, from the
+                            second row, which is the first node, on. Below it the table is the line from the origin to
+                            that node: with RC_LAW_CONVEX it is above the law, near first touch by more than p itself  */
 } rc_law_export_spec;
 #define RC_LAW_EXPORT_SPEC_INIT RC_BEGIN(rc_law_export_spec)
 /** Numbers have at most 20 characters, which is what such programs read. Errors: ARGUMENT (also: in these units a number is
- *  beyond double precision; the file cannot be written). */
+ *  beyond double precision; two rows would have the same overclosure; the file cannot be written). */
 RC_API rc_status rc_law_export(const rc_law *law, const char *path, rc_law_export_spec *spec);
 /** @} */
 
@@ -165,7 +177,7 @@ RC_API rc_status rc_law_export(const rc_law *law, const char *path, rc_law_expor
  *  For programs whose user routines get a name and no pointer. The names are one list for the whole process.
  *  @{ */
 /** The law of that name; the first call for a name loads it from path. path NULL: the file name.law in the current folder. The
- *  law lives until the process ends: it must not be destroyed. Any thread. Errors: as rc_law_load. */
+ *  law lives until the process ends: it must not be destroyed. Any thread. Statuses: as rc_law_load. */
 RC_API rc_status rc_law_open(const char *name, const char *path, const rc_law **out);
 /** @} */
 

@@ -89,7 +89,7 @@
       implicit none
       character*80 name,lower
       real*8 numbers(4),length,force
-      integer number,ier,i
+      integer number,ier,i,status
 !
       lower=name
       do i=1,len_trim(lower)
@@ -108,8 +108,14 @@
          ier=1
          return
       endif
-      if(rc_law_open(trim(lower)//c_null_char,c_null_ptr,
-     &     laws(number)%law).lt.0) then
+      status=rc_law_open(trim(lower)//c_null_char,c_null_ptr,
+     &     laws(number)%law)
+      if(status.gt.0) then
+         write(*,*) '*WARNING reading *SURFACE BEHAVIOR: the law of'
+         write(*,*) '       interaction ',trim(name),' is not proven:'
+         call print_last_error()
+      endif
+      if(status.lt.0) then
          write(*,*) '*ERROR reading *SURFACE BEHAVIOR: the law of'
          write(*,*) '       interaction ',trim(name)
          call print_last_error()

@@ -37,6 +37,13 @@ rc_law* loaded(const char* path) {
   }
 }
 
+// The status of a law from a file is that of its making.
+rc_status concluded(const rc_law* law) {
+  clear_message();
+  if (law->made->status > 0) set_message(remark_of(*law->made).c_str());
+  return law->made->status;
+}
+
 // The message of an evaluation, which is a number or a missing argument at fault.
 rc_status refused(const char* where, const char* what) {
   return guard(where, [&]() -> rc_status { fail(RC_ERR_ARGUMENT, what); });
@@ -167,7 +174,7 @@ rc_status rc_law_load(const char* path, rc_law** out) {
     *out = nullptr;
     if (!path) fail(RC_ERR_ARGUMENT, "path is null");
     *out = loaded(path);
-    return RC_OK;
+    return concluded(*out);
   });
 }
 
@@ -189,7 +196,7 @@ rc_status rc_law_open(const char* name, const char* path, const rc_law** out) {
     *out = nullptr;
     if (!name || name[0] == '\0') fail(RC_ERR_ARGUMENT, "name is null or empty");
     *out = named_law(name, [&] { return loaded(path ? path : join(name, ".law").c_str()); });
-    return RC_OK;
+    return concluded(*out);
   });
 }
 

@@ -78,18 +78,49 @@ std::vector<LawRow> rows_of(const Law& law, std::int64_t count) {
   const double lower = law.info.x_lower, upper = law.info.x_upper;
   const double ratio = std::log(upper / lower) / static_cast<double>(count - 2);
   for (std::int64_t i = 0; i < count - 1; ++i)
-    rows.push_back(row_at(law, i == count - 2 ? upper : lower * std::exp(ratio * static_cast<double>(i))));
+    rows.push_back(row_at(law, i == count - 2 ? upper : std::min(upper, lower * std::exp(ratio * static_cast<double>(i)))));
   return rows;
 }
 
+// The largest distance of the line a + b t from the parabola 1 + s t + q t^2, over the latter, for t from 0 to 1. The derivative
+// of their ratio is 0 where b q t^2 + 2 a q t + a s - b is.
+double largest_distance(double a, double b, double s, double q) {
+  const auto distance = [&](double t) { return std::abs((a + b * t) / (1 + t * (s + t * q)) - 1); };
+  double most = std::max(distance(0), distance(1));
+  const double square = a * q * a * q - b * q * (a * s - b);
+  if (!(square >= 0)) return most;
+  const double root = -(a * q + std::copysign(std::sqrt(square), a * q));
+  for (const double t : {root / (b * q), (a * s - b) / root})
+    if (t > 0 && t < 1) most = std::max(most, distance(t));
+  return most;
+}
+
+// The largest distance from the first row after the origin on.
 double distance_of_lines(const Law& law, const std::vector<LawRow>& rows) {
   double most = 0;
-  for (std::size_t i = 1; i + 1 < rows.size(); ++i)
-    for (const double share : {0.25, 0.4, 0.5, 0.6, 0.75}) {
-      const double x = rows[i].x + share * (rows[i + 1].x - rows[i].x);
-      most = std::max(most, std::abs((rows[i].p + share * (rows[i + 1].p - rows[i].p)) / row_at(law, x).p - 1));
+  const double* piece = law.table.data() + law_table_head;
+  const double* const last = piece + law_table_piece * (static_cast<std::size_t>(law.table[1]) - 1);
+  for (std::size_t i = 1; i + 1 < rows.size(); ++i) {
+    const double rise = (rows[i + 1].p - rows[i].p) / (rows[i + 1].x - rows[i].x);
+    for (double x = rows[i].x; x < rows[i + 1].x;) {
+      while (piece < last && piece[law_table_piece] <= x) piece += law_table_piece;
+      const double end = piece < last ? std::min(rows[i + 1].x, piece[law_table_piece]) : rows[i + 1].x;
+      const LawRow at = row_at(law, x);
+      const double length = end - x, line = rows[i].p + (x - rows[i].x) * rise;
+      most = std::max(
+          most, largest_distance(line / at.p, rise * length / at.p, at.slope * length / at.p, piece[3] * length / at.p * length));
+      x = end;
     }
+  }
   return most;
+}
+
+// Written with 12 decimals, no two rows may have the same overclosure.
+void check_ascending(const Law& law, const std::vector<LawRow>& rows, const Units& units) {
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    if (card_number(units.x(rows[i])) == card_number(units.x(rows[i - 1])))
+      fail(RC_ERR_ARGUMENT, "two of ", rows.size(), " rows would have the overclosure ", card_number(units.x(rows[i])),
+           ": the law, x = ", rows[1].x, " to ", law.info.x_upper, ", is too short for so many; lower rc_law_export_spec.rows");
 }
 
 std::string joined_line(std::initializer_list<double> values) {
@@ -122,13 +153,15 @@ std::string pressure_cards(const Law& law, const std::vector<LawRow>& rows, cons
                                                                : "estimated";
   std::string text =
       join("** roughcontact: ", rows.size(), " rows; straight lines between them are within ", in_digits(spec.error, 2),
-           " of the law,\n** the law within ", in_digits(law.info.width, 2), " of the patch (", proof, ")\n");
+           " of the law\n** from the second row on, below it the table is a line from the ",
+           "origin; bounds of the patch within ", in_digits(law.info.width, 2), " (", proof, ")\n");
   text += "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR\n";
   for (const LawRow& row : rows) text += joined_line({units.p(row.p), units.x(row)});
   if (!(spec.rho1 + spec.rho2 > 0)) return text;
   text += spec.format == RC_LAW_ABAQUS ? "*GAP CONDUCTANCE, PRESSURE\n" : "*GAP CONDUCTANCE\n";
-  for (const LawRow& row : rows)
-    text += joined_line({units.per_length(law.table[3] * row.slope) / (spec.rho1 + spec.rho2), units.p(row.p)});
+  for (std::size_t i = 0; i < rows.size(); ++i)  // one row for each pressure
+    if (i == 0 || card_number(units.p(rows[i].p)) != card_number(units.p(rows[i - 1].p)))
+      text += joined_line({units.per_length(law.table[3] * rows[i].slope) / (spec.rho1 + spec.rho2), units.p(rows[i].p)});
   return text;
 }
 
@@ -153,6 +186,7 @@ std::string cards_of(const Law& law, rc_law_export_spec& spec) {
   spec.error = distance_of_lines(law, rows);
   if (more) rows.push_back(row_at(law, spec.beyond * law.info.x_upper));
   const Units units(spec.length, spec.force);
+  check_ascending(law, rows, units);
   if (spec.format == RC_LAW_CSV) return columns(law, rows, units, spec.rho1 + spec.rho2);
   if (spec.format == RC_LAW_CALCULIX && (rows[2].x - rows[1].x) * spec.length < least_step_of_calculix)
     fail(RC_ERR_ARGUMENT, "rows are ", (rows[2].x - rows[1].x) * spec.length,

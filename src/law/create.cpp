@@ -71,12 +71,8 @@ class LawMaker {
     }
     thin();
     made.law = law(system);
-    if (made.status == RC_OK && made.law->info.width > spec_.tolerance)
-      stop(made, RC_STOP_STALLED,
-           join("double precision gives bounds of p within ", made.law->info.width, ", not ", spec_.tolerance));
-    if (made.status == RC_OK && made.law->info.bounds == RC_LAW_MONOTONE)
-      stop(made, RC_UNCERTIFIED,
-           "the tolerance is met by estimate: sets of points in contact or at the hardness give no proof between some nodes");
+    made.law->status = made.status == RC_OK ? made.law->judged() : made.status;
+    if (made.status == RC_OK) stop(made, made.law->status, remark_of(*made.law));
     return made;
   }
 

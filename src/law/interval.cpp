@@ -7,33 +7,51 @@ namespace rc {
 
 namespace {
 
+constexpr double at_node = 1e-9;     // of the overclosure: a knot this near to a node is at it
+constexpr double short_part = 1e-7;  // of the overclosure: there a knot's round-off would change slopes
+constexpr double noise = 1e-6;       // of an interval: by so little tangents that touch at a node may miss it
+
+double chord_of(const rc_law_node& node, const rc_law_node& next) { return (next.p - node.p) / (next.x - node.x); }
+
 LawInterval knotted(double length, double theta, double first, double middle, double last) {
   const double before = theta * length;
   return {{before, first, middle}, {length - before, middle, last}};
 }
 
+// The middle slope is the one with which p rises from node to node. A knot near a node is a double, so that the parabolas that
+// are evaluated from it meet exactly. Nothing if p would fall.
+std::optional<LawInterval> rising(const rc_law_node& node, const rc_law_node& next, double before) {
+  const double length = next.x - node.x;
+  if (std::min(before, length - before) < short_part * next.x) before = (node.x + before) - node.x;
+  const double after = length - before;
+  const double middle = 2 * chord_of(node, next) - (before / length) * node.slope - (after / length) * next.slope;
+  if (!(middle >= 0)) return {};
+  return LawInterval{{before, node.slope, middle}, {after, middle, next.slope}};
+}
+
 }  // namespace
 
-LawInterval between(const rc_law_node& node, const rc_law_node& next) {
-  const double length = next.x - node.x, chord = (next.p - node.p) / length, first = node.slope, last = next.slope;
-  const double meet = std::abs(last - first) > 1e-14 * std::abs(last) ? (last - chord) / (last - first) : 0.5;
-  // Within 1e-6 of an end the curve is a straight line up to a kink, at which a point is about to touch.
-  if (meet > -1e-6 && meet < 1 + 1e-6) return knotted(length, std::clamp(meet, 0.0, 1.0), first, chord, last);
-  const auto middle = [&](double theta) { return 2 * chord - theta * first - (1 - theta) * last; };
-  if (middle(0.5) >= 0) return knotted(length, 0.5, first, middle(0.5), last);
-  // A smaller share of the larger slope, so that p rises.
-  const double theta = first > last ? std::min(0.5, chord / first) : 1 - std::min(0.5, chord / last);
-  return middle(theta) >= 0 ? knotted(length, theta, first, middle(theta), last) : chord_between(node, next);
+std::optional<LawInterval> with_tangents(const rc_law_node& node, const rc_law_node& next) {
+  const double length = next.x - node.x, chord = chord_of(node, next);
+  const double theta = (next.slope - chord) / (next.slope - node.slope), before = theta * length, after = length - before;
+  if (!(theta > -noise && theta < 1 + noise)) return {};
+  if (std::min(before, after) < at_node * next.x) return rising(node, next, before < after ? 0 : length);
+  if (std::min(before, after) < short_part * next.x) return rising(node, next, before);
+  return knotted(length, theta, node.slope, chord, next.slope);
+}
+
+std::optional<LawInterval> with_knot(const rc_law_node& node, const rc_law_node& next, double share) {
+  return rising(node, next, share * (next.x - node.x));
 }
 
 LawInterval chord_between(const rc_law_node& node, const rc_law_node& next) {
-  const double length = next.x - node.x, chord = (next.p - node.p) / length;
-  return knotted(length, 0.5, chord, chord, chord);
+  const double chord = chord_of(node, next);
+  return knotted(next.x - node.x, 0.5, chord, chord, chord);
 }
 
 LawInterval up_to_first(const rc_law_node& node) {
   const double chord = node.p / node.x, last = std::max(node.slope, chord), part = chord / last;
-  if (!(last > chord * (1 + 1e-9))) return knotted(node.x, 0.5, chord, chord, last);
+  if (!(last > chord * (1 + 1e-9))) return knotted(node.x, 0.5, chord, (3 * chord - last) / 2, last);
   const double least =
       std::max(0.0, 2 * chord - last);  // the first slope of one parabola, or 0 if it cannot reach back to the origin
   // The energy rises with the choice. -1 .. 0: no pressure before the knot, then a parabola whose first slope falls from `last`.

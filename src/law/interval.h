@@ -3,7 +3,7 @@
 
 #include <roughcontact/law.h>
 
-#include <algorithm>
+#include <optional>
 
 namespace rc {
 
@@ -20,15 +20,13 @@ struct LawInterval {
   LawPart before, after;
 
   double energy(double p) const { return before.energy(p) + after.energy(p + before.rise()); }
-  double rise(double t) const {  // from its beginning to t
-    const double first = std::min(t, before.length), second = t - first;
-    return first * (before.first + first * before.half_bend()) + second * (after.first + second * after.half_bend());
-  }
 };
 
-// C1, with the values and slopes of both nodes; the chord if no such curve rises. If the chord's slope is between theirs, the
-// knot is where the tangents meet.
-LawInterval between(const rc_law_node& node, const rc_law_node& next);
+// Where the tangents of both nodes meet: C1, and the slope at the knot is the chord's. If they meet at a node, the exact curve
+// has a kink there: one parabola, whose slope jumps at that node. Nothing if they meet elsewhere or p would fall.
+std::optional<LawInterval> with_tangents(const rc_law_node& node, const rc_law_node& next);
+// C1, with the values and slopes of both nodes, and its knot at this share of the interval, > 0 and < 1. Nothing if p would fall.
+std::optional<LawInterval> with_knot(const rc_law_node& node, const rc_law_node& next, double share);
 LawInterval chord_between(const rc_law_node& node, const rc_law_node& next);
 // From the origin, where nothing touches, to the first node: has that node's value and slope, is convex, and has its energy. Its
 // slope jumps at the origin or at the knot where the energy asks for it.

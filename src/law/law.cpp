@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "core/error.h"
+#include "core/limits.h"
 #include "law/table.h"
 
 namespace rc {
@@ -31,6 +33,58 @@ LawBow bow_of(const rc_law_node& node, const rc_law_node& next, double bulk_yiel
   return {node.bounds == RC_LAW_CONVEX ? 0 : lost(stiffness(node.slope_upper) - low, high - stiffness(next.slope_lower)),
           lost(high - stiffness(node.slope_lower), stiffness(next.slope_upper) - low)};
 }
+
+// The bounds of p between two nodes: the parabolas of which roughcontact_law_envelope takes the largest and the smallest.
+class LawEnvelope {
+ public:
+  LawEnvelope(const rc_law_node& node, const rc_law_node& next, LawBow bow) : p_(node.p), length_(next.x - node.x) {
+    const double h = length_, low = std::max(0.0, node.between_lower), high = node.between_upper;
+    lower_ = {{node.p_lower, low, 0}};
+    upper_ = {{next.p_upper - low * h, low, 0}};
+    if (high >= largest) return;
+    const auto bowed = [h](double first, double last, double above) {
+      return Parabola{first, (last - first + above) / h, -above / h / h};
+    };
+    lower_.insert(lower_.end(), {{next.p_lower - high * h, high, 0}, bowed(node.p_lower, next.p_lower, -bow.below)});
+    upper_.insert(upper_.end(), {{node.p_upper, high, 0}, bowed(node.p_upper, next.p_upper, bow.above)});
+  }
+
+  // Whether the curve is inside everywhere, but for round-off: its distance from each parabola is a parabola on each part, and is
+  // least at an end or at its vertex.
+  bool hold(const LawInterval& curve) const {
+    const double last = p_ + curve.before.rise() + curve.after.rise();
+    const auto holds = [&](double sign, const Parabola& bound) {
+      const double slack = 8 * epsilon * (last + std::abs(bound.slope) * length_);
+      double at = 0, p = p_;
+      for (const LawPart& part : {curve.before, curve.after}) {
+        const Parabola between{sign * (p - bound.at(at)), sign * (part.first - bound.slope_at(at)),
+                               sign * (part.half_bend() - bound.half_bend)};
+        if (!(between.least(part.length) >= -slack)) return false;
+        at += part.length;
+        p += part.rise();
+      }
+      return true;
+    };
+    return std::all_of(lower_.begin(), lower_.end(), [&](const Parabola& bound) { return holds(1, bound); }) &&
+           std::all_of(upper_.begin(), upper_.end(), [&](const Parabola& bound) { return holds(-1, bound); });
+  }
+
+ private:
+  struct Parabola {
+    double value, slope, half_bend;  // at 0
+
+    double at(double t) const { return value + t * (slope + t * half_bend); }
+    double slope_at(double t) const { return slope + 2 * t * half_bend; }
+    double least(double length) const {  // from 0 to length
+      const double vertex = half_bend > 0 ? -slope / (2 * half_bend) : -1;
+      const double ends = std::min(value, at(length));
+      return vertex > 0 && vertex < length ? std::min(ends, at(vertex)) : ends;
+    }
+  };
+
+  double p_, length_;
+  std::vector<Parabola> lower_, upper_;
+};
 
 // A node as a table has it.
 std::array<double, law_table_node> record_of(const rc_law_node& node, LawBow bow = {}) {
@@ -93,20 +147,26 @@ LawWidth widest(const rc_law_node& node, const rc_law_node& next, double bulk_yi
   return {(low + high) / 2, half((low + high) / 2)};
 }
 
-// The chord is inside all bounds.
+void admit_chord(rc_law_node& node, const rc_law_node& next) {
+  if (node.bounds == RC_LAW_MONOTONE) return;
+  const double h = next.x - node.x;
+  node.between_lower = std::min({node.between_lower, (next.p - node.p_lower) / h, (next.p_upper - node.p) / h});
+  node.between_upper = std::max({node.between_upper, (next.p_lower - node.p) / h, (next.p - node.p_upper) / h});
+}
+
+// The first that is inside the bounds of: where the tangents meet, the knot in the middle and ever nearer to a node, the chord.
 LawInterval Law::curve_of(std::size_t i) const {
   const rc_law_node &node = nodes[i], &next = nodes[i + 1];
-  if (i == 0) return up_to_first(next);
-  const LawInterval curve = between(node, next);
-  if (node.bounds != RC_LAW_SLOPES) return curve;
-  const auto record = record_of(node, bow_of(node, next, bulk_yield())), next_record = record_of(next);
-  for (int part = 1; part < 16; ++part) {
-    const double t = (next.x - node.x) * part / 16, p = node.p + curve.rise(t);
-    double lower = 0, upper = 0;
-    roughcontact_law_envelope(record.data(), next_record.data(), node.x + t, &lower, &upper);
-    if (p < lower * (1 - 1e-12) || p > upper * (1 + 1e-12)) return chord_between(node, next);
+  const LawEnvelope bounds(node, next, bow_of(node, next, bulk_yield()));
+  if (i == 0) {
+    const LawInterval curve = up_to_first(next);
+    return bounds.hold(curve) ? curve : chord_between(node, next);
   }
-  return curve;
+  if (const auto curve = with_tangents(node, next); curve && bounds.hold(*curve)) return *curve;
+  for (double share = 0.5; share > 1e-3; share /= 2)
+    for (const double knot : {share, 1 - share})
+      if (const auto curve = with_knot(node, next, knot); curve && bounds.hold(*curve)) return *curve;
+  return chord_between(node, next);
 }
 
 void Law::finish() {
@@ -121,7 +181,8 @@ void Law::finish() {
     const LawInterval curve = curve_of(i);
     const LawPart &before = curve.before, &after = curve.after;
     pieces.piece(node.x, node.p, before.first, before.half_bend(), energy);
-    pieces.piece(node.x + before.length, node.p + before.rise(), after.first, after.half_bend(), energy + before.energy(node.p));
+    pieces.piece(std::min(next.x, node.x + before.length), std::min(next.p, node.p + before.rise()), after.first,
+                 after.half_bend(), energy + before.energy(node.p));
     energy += curve.energy(node.p);
     if (std::isnan(next.energy)) next.energy = energy;
     if (i == 0) continue;
@@ -129,7 +190,8 @@ void Law::finish() {
     info.bounds = std::max(info.bounds, node.bounds);
     if (node.bounds != RC_LAW_MONOTONE) info.width = std::max(info.width, widest(node, next, bulk_yield()).half);
     info.width_conductance = std::max(info.width_conductance, half_of(node.between_lower, node.between_upper));
-    info.width_area = std::max(info.width_area, half_of(node.area_lower, next.area_upper));
+    info.width_area = std::max(info.width_area,
+                               half_of(std::min(node.area_lower, next.area_lower), std::max(node.area_upper, next.area_upper)));
   }
   pieces.piece(nodes.back().x, nodes.back().p, nodes.back().slope, 0, energy);
   for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -138,6 +200,24 @@ void Law::finish() {
   info.nodes = static_cast<std::int64_t>(nodes.size());
   info.x_lower = nodes[1].x, info.p_lower = nodes[1].p;
   info.x_upper = nodes.back().x, info.p_upper = nodes.back().p;
+}
+
+rc_status Law::judged() const {
+  if (info.width > tolerance) return RC_STOP_STALLED;
+  return info.bounds == RC_LAW_MONOTONE ? RC_UNCERTIFIED : RC_OK;
+}
+
+std::string remark_of(const Law& law) {
+  switch (law.status) {
+    case RC_STOP_MAX_ITER:
+      return join("rc_law_spec.max_nodes did not allow the nodes that the tolerance needs: the law has ", law.info.nodes);
+    case RC_STOP_STALLED:
+      return join("double precision gives bounds of p within ", law.info.width, ", not ", law.tolerance);
+    case RC_UNCERTIFIED:
+      return "the tolerance is met by estimate: sets of points in contact or at the hardness give no proof between some nodes";
+    default:
+      return "";
+  }
 }
 
 }  // namespace rc

@@ -4,6 +4,7 @@
 #include <roughcontact/law.h>
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "law/interval.h"
@@ -20,12 +21,16 @@ struct Law {
   double tolerance = 0, tolerance_conductance = 0;  // as asked for
   std::vector<rc_law_node> nodes;
   std::vector<double> table;  // see table.h
+  rc_status status = RC_OK;   // that rc_law_create returned; of a file that has none, judged()
 
   // Fills the table from the nodes, and what follows from both: energies that are not known (NaN), widths, ranges and bounds.
   void finish();
+  rc_status judged() const;                   // by width, tolerance and kind of the bounds
   LawInterval curve_of(std::size_t i) const;  // from node i to the next
   double bulk_yield() const { return info.bulk_stiffness > 0 ? info.area / info.bulk_stiffness : 0; }
 };
+
+std::string remark_of(const Law& law);  // why its status is not RC_OK
 
 // Where the bounds of p between two neighbouring nodes are widest, as a share of the interval, and half their width over p there.
 // bulk_yield: by how much the bulk makes the approach larger than the overclosure, over the nominal pressure.
@@ -33,5 +38,10 @@ struct LawWidth {
   double at, half;
 };
 LawWidth widest(const rc_law_node& node, const rc_law_node& next, double bulk_yield);
+
+// Widens the slopes' interval of `node` as little as it takes for a chord between the pressures of both nodes to be inside all
+// bounds. The intervals of loads and stiffnesses at the nodes, and round-off, can contradict a chord by as little as they are
+// wide.
+void admit_chord(rc_law_node& node, const rc_law_node& next);
 
 }  // namespace rc

@@ -1,6 +1,6 @@
 // roughcontact-law 1
-// name value: a line for each number of the whole law; then "nodes" with how many, and a line with the numbers of each
-// sum and 16 hexadecimal digits: the checksum (FNV-1a, 64 bits) of all before it
+// name value: a line for each number of the whole law and its status; then "nodes" with how many, and a line with the numbers of
+// each sum and 16 hexadecimal digits: the checksum (FNV-1a, 64 bits) of all before it
 #include "law/law_file.h"
 
 #include <algorithm>
@@ -96,6 +96,13 @@ class LawReader {
   std::string_view rest_;
 };
 
+rc_status status_in(LawReader& reader) {
+  const auto status = static_cast<rc_status>(reader.count(RC_OK, RC_UNCERTIFIED));
+  if (status != RC_OK && status != RC_STOP_MAX_ITER && status != RC_STOP_STALLED && status != RC_UNCERTIFIED)
+    fail(RC_ERR_ARGUMENT, "a law has no status ", status);
+  return status;
+}
+
 void check_nodes(const std::vector<rc_law_node>& nodes) {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const rc_law_node& node = nodes[i];
@@ -112,7 +119,7 @@ void check_nodes(const std::vector<rc_law_node>& nodes) {
 std::string text_of(const Law& law) {
   std::string text = join(format_name, newest_version, '\n');
   for (const auto& [name, number] : numbers_of(law)) text += join(name, ' ', exact(*number), '\n');
-  text += join("bulk ", law.info.bulk, "\nsolves ", law.info.solves, "\nnodes ", law.nodes.size(), '\n');
+  text += join("bulk ", law.info.bulk, "\nsolves ", law.info.solves, "\nstatus ", law.status, "\nnodes ", law.nodes.size(), '\n');
   for (const rc_law_node& node : law.nodes) {
     for (const double* number : numbers_in(node)) text += exact(*number) + ' ';
     text += join(node.bounds, '\n');
@@ -140,7 +147,12 @@ std::unique_ptr<Law> law_of(std::string_view text) {
   law->info.bulk = static_cast<std::int32_t>(reader.count(RC_LAW_BULK_NONE, RC_LAW_BULK_MEAN));
   reader.expect("solves");
   law->info.solves = reader.count(0, std::numeric_limits<long long>::max());
-  reader.expect("nodes");
+  std::string_view next = reader.word();
+  if (next == "status") {
+    law->status = status_in(reader);
+    next = reader.word();
+  }
+  if (next != "nodes") fail(RC_ERR_ARGUMENT, "\"", next, "\" is there instead of \"nodes\"");
   const long long nodes = reader.count(2, most_nodes);
   for (long long i = 0; i < nodes; ++i) {
     rc_law_node& node = law->nodes.emplace_back(RC_LAW_NODE_INIT);
@@ -149,6 +161,7 @@ std::unique_ptr<Law> law_of(std::string_view text) {
   }
   check_nodes(law->nodes);
   law->finish();
+  if (law->status == RC_OK) law->status = law->judged();
   return law;
 }
 

@@ -5,6 +5,8 @@
 #include <iterator>
 #include <utility>
 
+#include "law/law.h"
+
 namespace rc {
 
 void LawNodes::add(std::vector<LawSample> fresh) {
@@ -52,6 +54,7 @@ void LawNodes::bound(LawSample& sample, const LawSample& next) const {
     node.bounds = RC_LAW_SLOPES;
     node.between_lower = lower;
     node.between_upper = slopes->upper;
+    admit_chord(node, next.node);
     return;
   }
   // The intervals of load and stiffness must not contradict chords between the slopes.
@@ -63,6 +66,7 @@ void LawNodes::bound(LawSample& sample, const LawSample& next) const {
   node.bounds = RC_LAW_CONVEX;
   node.between_lower = node.slope_lower;
   node.between_upper = std::max(node.slope_lower, next.node.slope_upper);
+  admit_chord(node, next.node);
 }
 
 }  // namespace rc

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "core/error.h"
+#include "law/nesting.h"
 
 namespace rc {
 
@@ -57,6 +58,10 @@ LawPatch::LawPatch(const rc_system& system, const rc_options* options, const rc_
   if (bulk_ != RC_LAW_BULK_MEAN) return;
   gap_.resize(static_cast<std::size_t>(n_));
   flat_ = pressed_flat();
+  if (!std::isfinite(flat_))
+    fail(RC_ERR_NUMERIC,
+         "1'H1 hx hy, twice the energy of the pressure 1 on a flat gap, is beyond double precision: choose a larger "
+         "unit of length");
 }
 
 void LawPatch::set_options(const rc_options* given) {
@@ -120,19 +125,16 @@ LawSample LawPatch::solve(std::int32_t control, double target) {
     if (plastic() && p_[static_cast<std::size_t>(i)] >= system_.hardness) sample.capped.add(index_[static_cast<std::size_t>(i)]);
   }
   sample.approach = result.approach;
+  if (count > 0 && sample.contacts.within(sample.capped) && control == RC_CONTROL_LOAD && bulk_ == RC_LAW_BULK_MEAN)
+    return solve(RC_CONTROL_APPROACH, result.approach);  // the load has no derivative
   sample.proven = std::isfinite(result.load_lower) && std::isfinite(result.load_upper) && std::isfinite(result.stiffness_lower) &&
                   std::isfinite(result.stiffness_upper);
   if (!sample.proven) {
     result.load_lower = result.load_upper = result.load;
     result.stiffness_lower = result.stiffness_upper = result.stiffness;
   }
-  const auto closed = [&] {
-    fail(RC_ERR_INFEASIBLE, "at p = ", result.load / area_, " the patch is closed: it yields as a whole; lower p_upper");
-  };
-  // The load then determines neither the approach nor the mean gap.
-  if (bulk_ == RC_LAW_BULK_MEAN && result.capped == open_) closed();
   const Yield yields = yield(control, result, sample);
-  if (!std::isfinite(result.stiffness_upper) || !(yields.rate_lower > least_rate)) closed();
+  check_yield(result, yields);
   rc_law_node& node = sample.node;
   node.x = yields.x;
   node.p = result.load / area_;
@@ -149,7 +151,26 @@ LawSample LawPatch::solve(std::int32_t control, double target) {
   if (bulk_ == RC_LAW_BULK_GIVEN) node.energy -= node.p * result.load / (2 * spec_.bulk_stiffness);
   if (bulk_ == RC_LAW_BULK_MEAN)
     node.energy -= node.p * (result.approach - node.x) / 2;  // as if in proportion to p: for the first
+  sample.proven = sample.proven && sets_grow();
   return sample;
+}
+
+void LawPatch::check_yield(const rc_result& result, const Yield& yields) const {
+  const double p = result.load / area_;
+  if (std::isfinite(result.stiffness_upper) && yields.rate_lower > least_rate) return;
+  if (bulk_ == RC_LAW_BULK_MEAN && result.capped == open_)
+    fail(RC_ERR_INFEASIBLE, "at p = ", p, " all ", open_, " points carry the hardness ", system_.hardness,
+         ": the mean gap does not change any more; lower p_upper");
+  if (bulk_ == RC_LAW_BULK_GIVEN && std::isfinite(result.stiffness_upper))
+    fail(RC_ERR_INFEASIBLE, "at p = ", p, " the stiffness of the patch, ", result.stiffness,
+         ", is not below that of the bulk, rc_law_spec.bulk_stiffness = ", spec_.bulk_stiffness, "; lower p_upper");
+  fail(RC_ERR_INFEASIBLE, "at p = ", p, " the patch is closed: it yields as a whole; lower p_upper");
+}
+
+// The kernels of half-spaces are assumed to have the property; a callback's nodes are never proven.
+bool LawPatch::sets_grow() {
+  if (!sets_grow_) sets_grow_ = system_.op != RC_OPERATOR_DENSE || rc::sets_grow(system_, spec_.mask);
+  return *sets_grow_;
 }
 
 std::optional<LawPatch::Slopes> LawPatch::slopes(const LawPoints& least, const LawPoints& most) const {

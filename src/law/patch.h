@@ -20,7 +20,7 @@ struct LawSample {
   rc_law_node node = RC_LAW_NODE_INIT;                           // bounds and between_...: of no interval yet
   double approach = 0;                                           // from first touch on
   double bounded_to = std::numeric_limits<double>::quiet_NaN();  // approach of the next node for which node.bounds holds
-  bool proven = true;                                            // load and stiffness lie in proven intervals
+  bool proven = true;  // load and stiffness lie in proven intervals, and sets of points grow with the approach
   LawPoints contacts, capped;
 };
 
@@ -58,6 +58,8 @@ class LawPatch {
   };
 
   LawSample solve(std::int32_t control, double target);
+  void check_yield(const rc_result& result, const Yield& yields) const;
+  bool sets_grow();
   Yield yield(std::int32_t control, const rc_result& result, const LawSample& sample);
   Yield mean_yield(std::int32_t control, const rc_result& result, const LawSample& sample);
   void set_options(const rc_options* given);
@@ -71,8 +73,9 @@ class LawPatch {
   std::int64_t solves_ = 0;
   std::unique_ptr<rc_options, Destroy> options_;
   std::unique_ptr<rc_contact, Destroy> contact_;
-  bool placed_ = false;  // the contact has the surface
-  bool homogeneous_ = false;
+  bool placed_ = false;             // the contact has the surface
+  bool homogeneous_ = false;        // see homogeneous()
+  std::optional<bool> sets_grow_;   // once it is known
   std::vector<double> from_touch_;  // the undeformed gap, with 0 at the lowest point
   std::vector<std::int64_t> index_;
   std::vector<double> p_, gap_;

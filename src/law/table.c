@@ -17,6 +17,9 @@ static const double* pieces(const double* table) { return table + law_table_head
 static const double* nodes(const double* table) { return pieces(table) + law_table_piece * (int)table[1]; }
 static const double* buckets(const double* table) { return nodes(table) + law_table_node * (int)table[2]; }
 
+static double smaller(double a, double b) { return a < b ? a : b; }
+static double larger(double a, double b) { return a > b ? a : b; }
+
 /* The last of n records, stride numbers apart, that begins at or before a value: bisection without a branch. */
 static const double* last_at(const double* record, int n, int stride, double value) {
   while (n > 1) {
@@ -27,8 +30,10 @@ static const double* last_at(const double* record, int n, int stride, double val
   return record;
 }
 
+static const double* last_piece(const double* table) { return pieces(table) + law_table_piece * ((int)table[1] - 1); }
+
 static const double* piece_at(const double* table, double x) {
-  const double* const last = pieces(table) + law_table_piece * ((int)table[1] - 1);
+  const double* const last = last_piece(table);
   const double bucket = roughcontact_law_bucket(x) - table[4];
   const double* piece = pieces(table);
   if (bucket >= table[5]) return last;
@@ -38,7 +43,7 @@ static const double* piece_at(const double* table, double x) {
 }
 
 static int outside(const double* table, const double* piece, double excess) {
-  return piece == pieces(table) + law_table_piece * ((int)table[1] - 1) && excess > 0 ? 106 : 0;
+  return piece == last_piece(table) && excess > 0 ? 106 : 0;
 }
 
 int roughcontact_law_pressure(const double* table, double x, double* p, double* slope, double* energy) {
@@ -55,13 +60,11 @@ int roughcontact_law_pressure(const double* table, double x, double* p, double* 
   piece = piece_at(table, x);
   t = x - piece[0];
   *p = piece[1] + t * (piece[2] + t * piece[3]);
+  if (piece < last_piece(table)) *p = smaller(*p, piece[law_table_piece + 1]); /* round-off */
   if (slope) *slope = piece[2] + 2 * t * piece[3];
   if (energy) *energy = piece[4] + t * (piece[1] + t * (piece[2] / 2 + t * (piece[3] / 3)));
   return outside(table, piece, t);
 }
-
-static double smaller(double a, double b) { return a < b ? a : b; }
-static double larger(double a, double b) { return a > b ? a : b; }
 
 /* The slope squared is linear in p on each piece. If a square leaves double precision, the sum is taken of its roots. */
 static double slope_on(const double* piece, double excess) {
@@ -75,6 +78,13 @@ static double slope_on(const double* piece, double excess) {
   }
 }
 
+/* The piece on which p first reaches a value: of pieces that begin at the same p, all but the last are level. */
+static const double* piece_of(const double* table, double p) {
+  const double* piece = last_at(pieces(table) + 1, (int)table[1], law_table_piece, p) - 1;
+  while (piece > pieces(table) && piece[1] >= p && piece[1 - law_table_piece] >= p) piece -= law_table_piece;
+  return piece;
+}
+
 int roughcontact_law_overclosure(const double* table, double p, double* x) {
   const double* piece;
   double excess;
@@ -84,9 +94,10 @@ int roughcontact_law_overclosure(const double* table, double p, double* x) {
     return 0;
   }
   if (p > DBL_MAX) return -1;
-  piece = last_at(pieces(table) + 1, (int)table[1], law_table_piece, p) - 1;
+  piece = piece_of(table, p);
   excess = p - piece[1];
   *x = excess > 0 ? piece[0] + 2 * excess / (piece[2] + slope_on(piece, excess)) : piece[0];
+  if (piece < last_piece(table)) *x = smaller(*x, piece[law_table_piece]);
   return outside(table, piece, excess);
 }
 
@@ -98,7 +109,7 @@ int roughcontact_law_slope(const double* table, double p, double* slope) {
     return 0;
   }
   if (p > DBL_MAX) return -1;
-  piece = last_at(pieces(table) + 1, (int)table[1], law_table_piece, p) - 1;
+  piece = piece_of(table, p);
   *slope = slope_on(piece, p - piece[1]);
   return outside(table, piece, p - piece[1]);
 }
@@ -134,6 +145,10 @@ void roughcontact_law_bounds_at(const double* table, double x, double p, struct 
     roughcontact_law_envelope(node, next, x, &bounds->p_lower, &bounds->p_upper);
     bounds->area = node[8] + (next[8] - node[8]) * larger(0, smaller(1, share));
     bounds->area_upper = next[10];
+    if (!(node[4] < DBL_MAX)) { /* the sets are not known to be nested */
+      bounds->area_lower = smaller(node[9], next[9]);
+      bounds->area_upper = larger(node[10], next[10]);
+    }
   }
 }
 

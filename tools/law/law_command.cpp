@@ -229,8 +229,10 @@ PatchLaw read_law(const LawArguments& arguments) {
   PatchLaw law;
   law.units = law_units("--law-units", arguments.law_units);
   rc_law* handle = nullptr;
-  check_law(rc_law_load(file.c_str(), &handle), "");
+  law.status = rc_law_load(file.c_str(), &handle);
   law.handle.reset(handle);
+  check_law(law.status, "");
+  if (law.status > 0) law.remark = in_options(last_message());
   law.source = rc_platform::path_of(file).filename().string();
   return law;
 }

@@ -59,9 +59,11 @@ class Law(OwnsHandle):
 
     @classmethod
     def load(cls, path: Union[str, os.PathLike[str]]) -> Law:
+        """The law of a file, with the status that it was made with."""
         handle = ctypes.c_void_p()
-        check(contact_library().rc_law_load(as_text(os.fspath(path), "path"), handle))
-        return cls(handle)
+        status = contact_library().rc_law_load(as_text(os.fspath(path), "path"), handle)
+        check(status)
+        return cls(handle, Status(status))
 
     def __repr__(self) -> str:
         info = self.info

@@ -150,6 +150,23 @@ rc_law_point evaluate(const rc_law* law, double x) {
   return point;
 }
 
+const rc_law* usual_law() {
+  static const LawHandle law = made(usual_patch(32));
+  return law.get();
+}
+
+void refuses(rc_status status, const std::string& part, const std::string& what) {
+  pairs::check_equal(status, RC_ERR_ARGUMENT, what);
+  pairs::check(std::string(rc_last_error()).find(part) != std::string::npos, what + ": " + rc_last_error());
+}
+
+std::vector<double> overclosures(const rc_law* law) {
+  const rc_law_info info = describe(law);
+  std::vector<double> all{-1, 0, info.x_lower / 3, info.x_upper, 2 * info.x_upper};
+  for (int i = 0; i <= 1000; ++i) all.push_back(info.x_lower * std::pow(info.x_upper / info.x_lower, i / 1000.0));
+  return all;
+}
+
 Referee::Referee(const Patch& patch, const rc_law_info& info)
     : patch_(patch),
       info_(info),

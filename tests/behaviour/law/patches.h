@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "support/contact.h"
 
@@ -39,6 +40,10 @@ LawHandle made(const Patch& patch);  // fails unless the status is >= 0
 
 rc_law_info describe(const rc_law* law);
 rc_law_point evaluate(const rc_law* law, double x);
+
+const rc_law* usual_law();                                                         // of usual_patch(32)
+void refuses(rc_status status, const std::string& part, const std::string& what);  // ARGUMENT, and the message has the part
+std::vector<double> overclosures(const rc_law* law);                               // of all magnitudes of a law, and beyond it
 
 // What a solve of its own says at a nominal pressure; from the surface as it was, to tol 1e-11.
 struct Truth {

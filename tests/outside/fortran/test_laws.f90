@@ -29,6 +29,17 @@ program test_laws
   call check('no file: '//trim(message), stat == RC_ERR_ARGUMENT .and. index(message, 'cannot be read') > 0)
   call rcf_law_open('law1', file, 65, stat, message)
   call check('a number too large', stat == RC_ERR_ARGUMENT .and. index(message, '1 .. 64') > 0)
+  call rcf_law_destroy(law)
+  spec%max_nodes = 3
+  spec%tolerance = 1e-4_c_double
+  call rcf_law_create(law, system, rcf_gap_from_heights(rough(24, 20)), spec, stat=stat, errmsg=message)
+  call check('too few nodes', stat == RC_STOP_MAX_ITER .and. c_associated(law))
+  call rcf_law_save(law, file)
+  call rcf_law_open('law3', file, 3, stat, message)
+  call check('its status: '//trim(message), stat == RC_STOP_MAX_ITER .and. index(message, 'rc_law_spec.max_nodes') > 0)
+  call rcf_law_at(3, 0.5_c_double, p, slope, energy, stat)
+  call check('it is there', stat >= 0 .and. p > 0)
+  call rcf_law_destroy(law)
   call rcf_law_create(law, system, rcf_gap_from_heights(rough(20, 20)), spec, stat=stat, errmsg=message)
   call check('shapes', stat == RC_ERR_SHAPE)
   spec%p_upper = 1e6_c_double

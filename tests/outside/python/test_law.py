@@ -49,7 +49,7 @@ def test_a_saved_law_has_the_same_bits(law, tmp_path):
     refused(rc.ArgumentError, "format is", law.export, tmp_path / "a", "ansys")
 
 
-def test_what_cannot_be_is_refused(gap):
+def test_what_cannot_be_is_refused(gap, tmp_path):
     given = {"undeformed_gap": gap, "pitch": 1, "modulus": 1, "boundary": "periodic"}
     refused(rc.ArgumentError, "p_lower", rc.law, pressure=(1, 1), **given)
     refused(rc.InfeasibleError, "is closed", rc.law, pressure=(1, 1e4), **given)
@@ -58,3 +58,5 @@ def test_what_cannot_be_is_refused(gap):
     refused(rc.NotCertifiedError, "max_nodes", rc.law, pressure=(1e-4, 2e-2), max_nodes=5, **given)
     stopped = rc.law(pressure=(1e-4, 2e-2), max_nodes=5, check_status=False, **given)
     assert stopped.status == rc.Status.STOP_MAX_ITER and stopped.info["nodes"] <= 5
+    stopped.save(tmp_path / "stopped.law")
+    assert rc.Law.load(tmp_path / "stopped.law").status == stopped.status

@@ -105,6 +105,9 @@ class Laws(CommandTest):
         done = self.law(name, *MAKE, "--max-nodes", 4, "-o", "a.law", code=2)
         self.assertIn("the law is not certified (RC_STOP_MAX_ITER): more than --max-nodes = 4 nodes are needed", done.stderr)
         self.assertIn("a.law", self.names())
+        read = self.law("a.law", "--json", "b.json", code=2)
+        self.assertIn("the law is not certified (RC_STOP_MAX_ITER): --max-nodes did not allow the nodes that the tolerance needs", read.stderr)
+        self.assertEqual(json.loads((self.folder / "b.json").read_text())["law"]["status"], "RC_STOP_MAX_ITER")
 
     def test_picture(self):
         self.made()

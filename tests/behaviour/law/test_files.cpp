@@ -1,0 +1,344 @@
+// The files of laws, and tables for other programs.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <iterator>
+#include <sstream>
+
+#include "patches.h"
+
+namespace {
+
+using namespace laws;
+using pairs::check;
+using pairs::check_equal;
+using pairs::text;
+
+namespace fs = std::filesystem;
+
+std::string content(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {(std::istreambuf_iterator<char>(file)), {}};
+}
+
+void write(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
+
+// The last line of a file of a law: FNV-1a, 64 bits.
+std::string sum_of(const std::string& text) {
+  std::uint64_t sum = 14695981039346656037u;
+  for (const char c : text) sum = (sum ^ static_cast<unsigned char>(c)) * 1099511628211u;
+  std::ostringstream line;
+  line << "sum " << std::hex << std::setw(16) << std::setfill('0') << sum << '\n';
+  return line.str();
+}
+
+// A folder of its own, which must hold nothing but the files that are named at the end.
+class Folder {
+ public:
+  explicit Folder(const std::string& name) : path_(fs::temp_directory_path() / ("law-" + name)) {
+    fs::remove_all(path_);
+    fs::create_directory(path_);
+  }
+  ~Folder() { fs::remove_all(path_); }
+  std::string operator/(const char* name) const { return (path_ / name).string(); }
+  std::size_t files() const { return static_cast<std::size_t>(std::distance(fs::directory_iterator(path_), {})); }
+
+ private:
+  fs::path path_;
+};
+
+void a_saved_law_has_the_same_bits() {
+  const Folder folder("bits");
+  for (const char* name : {"free, love, disc", "periodic, spectral, hardness"}) {
+    std::vector<Patch> all = patches(16);
+    const Patch& patch = *std::find_if(all.begin(), all.end(), [&](const Patch& each) { return each.name == name; });
+    const LawHandle law = made(patch);
+    const std::string path = folder / "a.law", again = folder / "b.law";
+    rc_law* read = nullptr;
+    check_equal(rc_law_save(law.get(), path.c_str()), RC_OK, rc_last_error());
+    check_equal(rc_law_load(path.c_str(), &read), RC_OK, rc_last_error());
+    const LawHandle loaded(read);
+    check_equal(rc_law_save(read, again.c_str()), RC_OK, rc_last_error());
+    check(content(path) == content(again), "the files differ");
+    for (const double x : overclosures(law.get())) {
+      const rc_law_point a = evaluate(law.get(), x), b = evaluate(read, x);
+      check(std::memcmp(&a, &b, sizeof a) == 0, "other bits at " + text(x));
+    }
+    rc_law_info first = describe(law.get()), second = describe(read);
+    check(second.seconds == 0, "a file has no seconds");
+    first.seconds = 0;
+    check(std::memcmp(&first, &second, sizeof first) == 0, "other infos");
+  }
+  check_equal(static_cast<std::int64_t>(folder.files()), 2, "files left");
+}
+
+// Also by name, and of a file without the line, whose status follows from width and kind.
+void a_saved_law_has_the_status_of_its_making() {
+  const Folder folder("statuses");
+  Patch few = usual_patch(16), mean = usual_patch(16);
+  few.spec.max_nodes = 6;
+  mean.problem.system.boundary = RC_BOUNDARY_FREE;
+  mean.problem.system.hardness = 0.05;
+  struct Case {
+    const char* name;
+    Patch patch;
+    rc_status status, without;
+    const char* says;
+  };
+  for (const Case& each : {Case{"ok", usual_patch(16), RC_OK, RC_OK, ""},
+                           Case{"few", few, RC_STOP_MAX_ITER, RC_STOP_STALLED, "rc_law_spec.max_nodes did not allow"},
+                           Case{"mean", mean, RC_UNCERTIFIED, RC_UNCERTIFIED, "met by estimate"}}) {
+    const MadeLaw law = make(each.patch);
+    check_equal(law.status, each.status, law.message);
+    const std::string path = folder / each.name;
+    check_equal(rc_law_save(law.law.get(), path.c_str()), RC_OK, rc_last_error());
+    rc_law* read = nullptr;
+    check_equal(rc_law_load(path.c_str(), &read), each.status, "load");
+    check(std::string(rc_last_error()).find(each.says) != std::string::npos, rc_last_error());
+    rc_law_destroy(read);
+    const rc_law* named = nullptr;
+    for (int call = 0; call < 2; ++call) check_equal(rc_law_open(path.c_str(), path.c_str(), &named), each.status, "open");
+    std::string old = content(path);
+    const std::size_t line = old.find("status "), end = old.find('\n', line) + 1;
+    check(line != old.npos, "the file has the status");
+    old.erase(line, end - line);
+    old.erase(old.rfind("sum "));
+    write(path, old + sum_of(old));
+    check_equal(rc_law_load(path.c_str(), &read), each.without, "load of a file without the line");
+    rc_law_destroy(read);
+  }
+}
+
+void damaged_files_are_refused() {
+  const Folder folder("damage");
+  const std::string path = folder / "a.law";
+  check_equal(rc_law_save(usual_law(), path.c_str()), RC_OK, rc_last_error());
+  const std::string good = content(path);
+  rc_law* law = nullptr;
+  const auto load = [&](const std::string& bad) {
+    write(path, bad);
+    const rc_status status = rc_law_load(path.c_str(), &law);
+    check(law == nullptr, "a law of a bad file");
+    return status;
+  };
+  for (std::size_t at = 20; at + 30 < good.size(); at += 997) {
+    std::string bad = good;
+    bad[at] = bad[at] == '7' ? '8' : '7';
+    refuses(load(bad), "damaged", "one digit differs");
+  }
+  refuses(load(good.substr(0, good.size() / 2)), "damaged", "half a file");
+  refuses(load(""), "empty", "no text");
+  refuses(load("hello"), "does not begin with", "another file");
+  refuses(load("roughcontact-law 2\n"), "version 2", "a newer version");
+  refuses(rc_law_load((folder / "none.law").c_str(), &law), "none.law: cannot be read", "no file");
+  refuses(rc_law_save(usual_law(), (folder / "none/a.law").c_str()), "cannot be written", "no folder");
+  refuses(rc_law_save(usual_law(), (folder / ".").c_str()), "no file", "a folder");
+  refuses(rc_law_load((folder / ".").c_str(), &law), "cannot be read", "a folder");
+  check_equal(static_cast<std::int64_t>(folder.files()), 1, "files left");
+}
+
+rc_law_export_spec exported(const std::string& path, std::int32_t format, std::int64_t rows = 0, double rho = 0) {
+  rc_law_export_spec spec = RC_LAW_EXPORT_SPEC_INIT;
+  spec.format = format;
+  spec.rows = rows;
+  spec.rho1 = rho;
+  check_equal(rc_law_export(usual_law(), path.c_str(), &spec), RC_OK, rc_last_error());
+  return spec;
+}
+
+std::vector<std::vector<double>> rows_in(const std::string& path, const std::string& after) {
+  std::istringstream file(content(path));
+  std::vector<std::vector<double>> rows;
+  bool in = after.empty();
+  for (std::string line; std::getline(file, line);) {
+    if (in && (line.empty() || line[0] == '*')) break;
+    if (in) {
+      rows.emplace_back();
+      std::istringstream fields(line);
+      for (std::string field; std::getline(fields, field, ',');) {
+        check(field.size() <= 20, "a field of " + std::to_string(field.size()) + " characters");
+        rows.back().push_back(std::stod(field));
+      }
+    }
+    in = in || line.starts_with(after);
+  }
+  return rows;
+}
+
+void tables_hold_the_law() {
+  const Folder folder("tables");
+  const rc_law_info info = describe(usual_law());
+  const std::string path = folder / "table";
+  for (const std::int32_t format : {RC_LAW_CALCULIX, RC_LAW_ABAQUS}) {
+    const rc_law_export_spec spec = exported(path, format, 100, 0.02);
+    const auto rows = rows_in(path, "*SURFACE BEHAVIOR"), conductances = rows_in(path, "*GAP CONDUCTANCE");
+    check_equal(static_cast<std::int64_t>(rows.size()), 100, "rows");
+    check(rows[0] == std::vector<double>{0, 0}, "the first row");
+    check(rows[98][1] > 0.999999 * info.x_upper && rows[99][1] > 99.9 * info.x_upper, "the last rows");
+    check(spec.error > 1e-6 && spec.error < 0.02, "error " + text(spec.error));
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+      const rc_law_point point = evaluate(usual_law(), rows[i][1]);
+      check(std::abs(rows[i][0] / point.p - 1) < 1e-9, "row " + std::to_string(i));
+      check(std::abs(conductances[i][0] / (point.conductance / 0.02) - 1) < 1e-6 && conductances[i][1] == rows[i][0],
+            "conductance");
+    }
+  }
+  exported(path, RC_LAW_MOOSE, 50);
+  check_equal(static_cast<std::int64_t>(rows_in(path, "").size()), 50, "rows for MOOSE");
+  exported(path, RC_LAW_CSV, 20);
+  check_equal(static_cast<std::int64_t>(rows_in(path, "overclosure,").size()), 20, "rows of CSV");
+  rc_law_export_spec spec = RC_LAW_EXPORT_SPEC_INIT;
+  spec.format = RC_LAW_MOOSE;
+  spec.length = 1e3, spec.force = 10;
+  check_equal(rc_law_export(usual_law(), path.c_str(), &spec), RC_OK, rc_last_error());
+  const auto rows = rows_in(path, "");
+  check(std::abs(rows[198][0] / (1e3 * info.x_upper) - 1) < 1e-9 && std::abs(rows[198][1] / (1e-5 * info.p_upper) - 1) < 1e-9,
+        "units");
+
+  const std::string before = content(path);
+  const auto refused = [&](const std::string& part, auto change) {
+    rc_law_export_spec bad = RC_LAW_EXPORT_SPEC_INIT;
+    bad.format = RC_LAW_CALCULIX;
+    change(bad);
+    refuses(rc_law_export(usual_law(), path.c_str(), &bad), part, part);
+  };
+  refused("format", [](rc_law_export_spec& bad) { bad.format = 9; });
+  refused("rows", [](rc_law_export_spec& bad) { bad.rows = 201; });
+  refused("rho1", [](rc_law_export_spec& bad) { bad.rho1 = -1; });
+  refused("length", [](rc_law_export_spec& bad) { bad.length = -1; });
+  refused("beyond double precision", [](rc_law_export_spec& bad) { bad.force = 1e308, bad.length = 1e-6; });
+  refused("nearer than 1e-10", [](rc_law_export_spec& bad) { bad.length = 1e-8; });
+  refused("rc_law_export_spec.beyond", [](rc_law_export_spec& bad) { bad.beyond = 0.5; });
+  refused("beyond double precision", [](rc_law_export_spec& bad) { bad.beyond = 1e308, bad.length = 1e6; });
+  check(content(path) == before && folder.files() == 1, "a refused export leaves the file as it was");
+}
+
+// Against samples of the rows that are written.
+void the_error_of_a_table_is_its_largest() {
+  const Folder folder("errors");
+  const std::string path = folder / "table";
+  for (const char* name : {"free, love, disc", "periodic, spectral, hardness", "free, love, hardness, mean gap"}) {
+    std::vector<Patch> all = patches(16);
+    const LawHandle law = made(*std::find_if(all.begin(), all.end(), [&](const Patch& each) { return each.name == name; }));
+    for (const std::int64_t count : {5, 6, 9, 20, 200}) {
+      rc_law_export_spec spec = RC_LAW_EXPORT_SPEC_INIT;
+      spec.format = RC_LAW_MOOSE;
+      spec.rows = count;
+      spec.beyond = 1;
+      check_equal(rc_law_export(law.get(), path.c_str(), &spec), RC_OK, rc_last_error());
+      const auto rows = rows_in(path, "");
+      double most = 0;
+      for (std::size_t i = 1; i + 1 < rows.size(); ++i)
+        for (int k = 0; k <= 400; ++k) {
+          const double share = k / 400.0, x = rows[i][0] + share * (rows[i + 1][0] - rows[i][0]);
+          double p = 0;
+          rc_law_pressure(law.get(), x, &p, nullptr, nullptr);
+          most = std::max(most, std::abs((rows[i][1] + share * (rows[i + 1][1] - rows[i][1])) / p - 1));
+        }
+      check(most <= spec.error * (1 + 1e-6) + 1e-11 && most >= 0.99 * spec.error,
+            std::string(name) + ", rows " + std::to_string(count) + ": " + text(spec.error) + ", sampled " + text(most));
+    }
+  }
+}
+
+void rows_too_near_are_refused() {
+  const Folder folder("near");
+  const std::string path = folder / "table";
+  Patch narrow = usual_patch(16);
+  narrow.spec.p_upper = narrow.spec.p_lower * (1 + 1e-11);
+  const LawHandle law = made(narrow);
+  for (const std::int32_t format : {RC_LAW_CSV, RC_LAW_CALCULIX, RC_LAW_ABAQUS, RC_LAW_MOOSE}) {
+    rc_law_export_spec spec = RC_LAW_EXPORT_SPEC_INIT;
+    spec.format = format;
+    refuses(rc_law_export(law.get(), path.c_str(), &spec), "is too short for so many; lower rc_law_export_spec.rows",
+            "repeated rows");
+  }
+  check_equal(static_cast<std::int64_t>(folder.files()), 0, "files");
+}
+
+// Runs a program that has table.c and the numbers, and not the library; its output.
+std::istringstream said_alone(const Folder& folder, const std::string& table, const std::vector<double>& xs) {
+  std::ostringstream command;
+  command.precision(17);
+  command << RC_LAW_ALONE << ' ' << table;
+  for (const double x : xs) command << ' ' << x;
+  const std::string out = folder / "out";
+  check_equal(std::system((command.str() + " > " + out).c_str()), 0, "the program");
+  return std::istringstream(content(out));
+}
+
+void the_evaluation_stands_alone() {
+  const Folder folder("alone");
+  const std::string table = folder / "numbers";
+  exported(table, RC_LAW_TABLE);
+  std::vector<double> xs = overclosures(usual_law());
+  xs.resize(200);
+  std::istringstream lines = said_alone(folder, table, xs);
+  for (const double x : xs) {
+    double p = 0, slope = 0, energy = 0, back = 0, own = 0;
+    lines >> p >> slope >> energy >> back;
+    const rc_law_point point = evaluate(usual_law(), x);
+    rc_law_overclosure(usual_law(), point.p, &own);
+    check(p == point.p && slope == point.slope && energy == point.energy && back == own, "other bits at " + text(x));
+  }
+}
+
+// Squares of its slopes are beyond double precision.
+void slopes_may_be_large_and_small() {
+  const Folder folder("slopes");
+  const std::string table = folder / "numbers";
+  exported(table, RC_LAW_TABLE);
+  std::vector<double> numbers, xs = overclosures(usual_law());
+  xs.resize(200);
+  std::istringstream text_of_table(content(table));
+  for (double number = 0; text_of_table >> number;) numbers.push_back(number);
+  numbers.erase(numbers.begin());
+  const auto pieces = static_cast<std::size_t>(numbers[1]);
+  for (const double factor : {1e200, 1e-200}) {
+    std::ostringstream scaled;
+    scaled.precision(17);
+    scaled << numbers.size();
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      scaled << '\n' << (i < 8 || i >= 8 + 5 * pieces || (i - 8) % 5 == 0 ? 1 : factor) * numbers[i];
+    write(table, scaled.str());
+    std::istringstream lines = said_alone(folder, table, xs);
+    for (const double x : xs) {
+      std::string p, slope, energy, back;
+      lines >> p >> slope >> energy >> back;
+      check(x <= 0 || std::abs(std::stod(back) / x - 1) < 1e-9, "the inverse of " + text(x) + " is " + back + " at p = " + p);
+    }
+  }
+}
+
+void a_name_stands_for_one_law() {
+  const Folder folder("names");
+  const std::string path = folder / "steel.law";
+  check_equal(rc_law_save(usual_law(), path.c_str()), RC_OK, rc_last_error());
+  const rc_law *first = nullptr, *second = nullptr;
+  refuses(rc_law_open("steel of the test", nullptr, &first), "steel of the test.law: cannot be read", "no file");
+  check_equal(rc_law_open("steel of the test", path.c_str(), &first), RC_OK, rc_last_error());
+  check_equal(rc_law_open("steel of the test", nullptr, &second), RC_OK, rc_last_error());
+  check(first == second && first != nullptr, "two laws of one name");
+  refuses(rc_law_open("", nullptr, &first), "name", "no name");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return pairs::run_group("law files",
+                          {{"a saved law has the same bits", a_saved_law_has_the_same_bits},
+                           {"a saved law has the status of its making", a_saved_law_has_the_status_of_its_making},
+                           {"damaged files are refused", damaged_files_are_refused},
+                           {"tables hold the law", tables_hold_the_law},
+                           {"the error of a table is its largest", the_error_of_a_table_is_its_largest},
+                           {"rows too near are refused", rows_too_near_are_refused},
+                           {"the evaluation stands alone", the_evaluation_stands_alone},
+                           {"slopes may be large and small", slopes_may_be_large_and_small},
+                           {"a name stands for one law", a_name_stands_for_one_law}},
+                          argc, argv);
+}
