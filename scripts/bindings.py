@@ -39,6 +39,7 @@ FROM_MPI = ["rc_ranks_counts"]
 # Facts that a C prototype does not have. Pointers to one number, for Fortran: all others are arrays.
 SCALARS = {
     "rc_version": "major minor patch abi",
+    **dict.fromkeys(("rc_stop_when", "rc_surface_stop_when"), "flag"),
     "rc_options_get_int": "out",
     "rc_options_get_real": "out",
     "rc_contact_points": "n",
@@ -53,6 +54,7 @@ SCALARS = {
 # Arguments that Fortran may leave out: NULL in C.
 OPTIONAL = {
     "rc_version": "major minor patch abi",
+    **dict.fromkeys(("rc_stop_when", "rc_surface_stop_when"), "flag"),
     "rc_context_create": "config",
     "rc_contact_points": "index p",
     "rc_conductance": "lower upper",

@@ -14,13 +14,12 @@
 #include "power_law.h"
 #include "spectral.h"
 #include "statistics.h"
+#include "stop.h"
 #include "structs.h"
 
 namespace rc::surface {
 
 namespace {
-
-struct Library;
 
 template <class Body> rc_status guard(const char* where, const Body& body) { return own_guard<Library>(where, body); }
 
@@ -91,6 +90,8 @@ using namespace rc;           // NOLINT: this file is the bridge
 using namespace rc::surface;  // NOLINT
 
 const char* rc_surface_last_error(void) { return own_message<rc::surface::Library>; }
+
+void rc_surface_stop_when(const int32_t* flag) { stop_flag<rc::surface::Library> = flag; }
 
 rc_status rc_surface_rmd(const rc_surface_rmd_spec* given, int32_t stage, int32_t crop, double* out) {
   return guard("rc_surface_rmd", [&] {

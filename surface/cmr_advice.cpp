@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "grid/downsample.h"
+#include "stop.h"
 #include "structs.h"
 
 namespace rc::surface {
@@ -49,6 +50,7 @@ std::vector<double> refined(const Grid& coarse, std::int64_t nx, std::int64_t ny
   std::vector<double> fine;
   fine.reserve(static_cast<std::size_t>(nx * ny));
   for (std::int64_t y = 0; y < ny; ++y) {
+    stop_if_asked();
     const Place row = place(y, coarse.ny);
     for (const Place& column : columns) {
       const double above = std::lerp(z(column.left, row.left), z(column.right, row.left), column.fraction);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "stop.h"
 #include "structs.h"
 
 namespace rc::surface {
@@ -67,6 +68,7 @@ void along(std::vector<Complex>& values, std::int64_t length, std::int64_t step,
   Rows transformer{length, direction};
   std::vector<Complex> row(static_cast<std::size_t>(length));
   for (std::int64_t r = 0; r < rows; ++r) {
+    stop_if_asked();
     for (std::int64_t k = 0; k < length; ++k)
       row[static_cast<std::size_t>(k)] = values[static_cast<std::size_t>(r * row_step + k * step)];
     transformer.transform(row);

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "portable_math.h"
+#include "stop.h"
 
 namespace rc::surface {
 
@@ -19,6 +20,7 @@ class Gaussian {
       has_spare_ = false;
       return spare_;
     }
+    if ((++pairs_ & 0xffff) == 0) stop_if_asked();
     double u = 0, v = 0, s = 0;
     do {
       u = 2 * uniform() - 1;
@@ -35,6 +37,7 @@ class Gaussian {
   double uniform() { return static_cast<double>(integers_() >> 11) * 0x1p-53; }  // [0, 1)
 
   std::mt19937_64 integers_;
+  std::uint64_t pairs_ = 0;  // of numbers so far
   double spare_ = 0;
   bool has_spare_ = false;
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "stop.h"
 #include "structs.h"
 
 namespace rc::surface {
@@ -40,8 +41,10 @@ std::size_t octave(double q, double lowest) { return static_cast<std::size_t>(st
 
 // Visits half of the modes; the others are their conjugates.
 template <class Visit> void half_of_the_modes(const Spectrum& s, const Visit& visit) {
-  for (std::int64_t ky = 0; ky <= s.ny / 2; ++ky)
+  for (std::int64_t ky = 0; ky <= s.ny / 2; ++ky) {
+    stop_if_asked();
     for (std::int64_t kx = ky == 0 ? 1 : -((s.nx - 1) / 2); kx <= s.nx / 2; ++kx) visit(kx, ky);
+  }
 }
 
 // The mean power of waves of about one length. It follows from their median, which peaks do not move.

@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "line_fit.h"
+#include "stop.h"
 #include "structs.h"
 
 namespace rc::surface {
@@ -127,6 +128,7 @@ std::vector<Bin> logarithmic_bins(const Spectrum& s) {
   const double lowest = std::log(lowest_wave(s));
   double total = 0;
   for (std::int64_t ky = 0; ky < s.ny; ++ky) {
+    stop_if_asked();
     for (std::int64_t kx = 0; kx < s.nx; ++kx) {
       const double q = s.q(kx, ky);
       total += s.at(kx, ky);

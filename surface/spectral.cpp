@@ -5,6 +5,7 @@
 
 #include "fourier.h"
 #include "gaussian.h"
+#include "stop.h"
 #include "structs.h"
 
 namespace rc::surface {
@@ -43,6 +44,7 @@ std::vector<double> self_affine(const rc_surface_spectral_spec& spec) {
   const double dx = 2 * pi / (static_cast<double>(spec.nx) * spec.hx), dy = 2 * pi / (static_cast<double>(spec.ny) * spec.hy);
   double height = 0, slope = 0;
   for (std::int64_t iy = 0; iy < spec.ny; ++iy) {
+    stop_if_asked();
     for (std::int64_t ix = 0; ix < spec.nx; ++ix) {
       Complex& value = a[static_cast<std::size_t>(iy * spec.nx + ix)];
       const double q =
@@ -85,6 +87,7 @@ double cap(double r2, const rc_surface_shape_spec& spec) {
 void shape(const rc_surface_shape_spec& spec, double* out) {
   Gaussian random{spec.seed};
   for (std::int64_t iy = 0; iy < spec.ny; ++iy) {
+    stop_if_asked();
     for (std::int64_t ix = 0; ix < spec.nx; ++ix, ++out) {
       const double x = static_cast<double>(ix) * spec.hx, y = static_cast<double>(iy) * spec.hy;
       switch (spec.shape) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "fourier.h"
+#include "stop.h"
 #include "structs.h"
 
 namespace rc::surface {
@@ -103,6 +104,7 @@ void add(Ring& ring, double q, double power) {
 std::vector<Ring> dense_sums(const Spectrum& s, double width, std::int64_t last) {
   std::vector<Ring> all(static_cast<std::size_t>(last) + 1);
   for (std::int64_t ky = 0; ky < s.ny; ++ky) {
+    stop_if_asked();
     for (std::int64_t kx = 0; kx < s.nx; ++kx) {
       if (kx == 0 && ky == 0) continue;
       const double q = s.q(kx, ky);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stop.h"
 #include "structs.h"
 
 namespace rc::surface {
@@ -32,6 +33,7 @@ Differences differences(const Heights& heights) {
   const auto z = [&](std::int64_t x, std::int64_t y) { return heights.at(wrapped(x, nx), wrapped(y, ny)); };
 
   for (std::int64_t y = 0; y < ny; ++y) {
+    stop_if_asked();
     for (std::int64_t x = 0; x < nx; ++x) {
       const double here = heights.at(x, y);
       if (inside(x + 1, nx)) result.slope_x.add((z(x + 1, y) - here) / heights.hx);

@@ -51,8 +51,7 @@ Options make_options(const Context& context, int threads, const std::vector<std:
 // The calling thread's last message, without the name of the C function, which means nothing on a command line.
 std::string last_message();
 
-// One for each 16384 points of a grid, at least 1, not more than the cores that the process may use, OMP_THREAD_LIMIT and
-// OMP_NUM_THREADS; as in Python.
+// One for each 16384 points of a grid, at least 1, at most rc_usable_cores; as in Python.
 int default_threads(std::int64_t points);
 
 }  // namespace cli

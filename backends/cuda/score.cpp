@@ -49,7 +49,7 @@ void Operator::score(const rc_facts& facts, rc_estimate& estimate) {
   estimate.bytes = 16 * grid;  // of the host's memory
 }
 
-rc_status score(const rc_facts* facts, rc_estimate* estimate) noexcept {
+rc_status score(const rc_facts* facts, rc_estimate* estimate) {
   return roughcontact::guard(facts->host, component, [&] {
     const auto box = static_cast<double>(facts->box);
     require_device(*facts);
@@ -69,7 +69,7 @@ rc_status score(const rc_facts* facts, rc_estimate* estimate) noexcept {
 
 void Operator::score(const rc_facts&, rc_estimate&) { fail(RC_ERR_INCOMPATIBLE, "for tests: the host in the place of a device"); }
 
-rc_status score(const rc_facts* facts, rc_estimate*) noexcept {
+rc_status score(const rc_facts* facts, rc_estimate*) {
   return roughcontact::guard(facts->host, component,
                              [] { fail(RC_ERR_INCOMPATIBLE, "for tests: the host in the place of a device"); });
 }

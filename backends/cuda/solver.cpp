@@ -172,7 +172,7 @@ rc_status iterate(const rc_host* host, const rc_problem& given, const rc_options
 
 }  // namespace
 
-rc_status solve(const rc_host* host, const rc_problem* given, const rc_options* options, double* p, double* d) noexcept {
+rc_status solve(const rc_host* host, const rc_problem* given, const rc_options* options, double* p, double* d) {
   return roughcontact::guard(host, component, [&] {
     const rc::Problem problem(*host, *given, *options);
     const std::span<double> pressures(p, static_cast<std::size_t>(given->n));

@@ -5,7 +5,7 @@
 
 namespace rc_cuda {
 
-rc_status solve(const rc_host* host, const rc_problem* problem, const rc_options* options, double* p, double* d) noexcept;
-rc_status score(const rc_facts* facts, rc_estimate* estimate) noexcept;
+rc_status solve(const rc_host* host, const rc_problem* problem, const rc_options* options, double* p, double* d);
+rc_status score(const rc_facts* facts, rc_estimate* estimate);
 
 }  // namespace rc_cuda

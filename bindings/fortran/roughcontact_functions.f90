@@ -15,6 +15,9 @@ module roughcontact_functions
     end function
     type(c_ptr) function rc_last_error() bind(c); import
     end function
+    subroutine rc_stop_when(flag) bind(c); import
+      integer(c_int32_t), intent(in), optional :: flag
+    end subroutine
     subroutine rc_version(major, minor, patch, abi) bind(c); import
       integer(c_int32_t), intent(inout), optional :: major, minor, patch, abi
     end subroutine
@@ -298,6 +301,9 @@ module roughcontact_functions
       real(c_double), value :: hx, hy
       integer(c_int64_t), value :: nx, ny
       real(c_double), intent(inout) :: out(*)
+    end function
+    integer(c_int64_t) function rc_usable_cores(allowed) bind(c); import
+      integer(c_int64_t), value :: allowed
     end function
     integer(rc_status) function rc_options_describe(context, i, out) bind(c); import
       type(c_ptr), value :: context

@@ -196,13 +196,15 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_law_spec
-    integer(c_size_t) :: struct_size = merge(88, 76, c_intptr_t == 8)
+    integer(c_size_t) :: struct_size = merge(104, 84, c_intptr_t == 8)
     type(c_ptr) :: undeformed_gap = c_null_ptr  ! const double *
     type(c_ptr) :: mask = c_null_ptr  ! const uint8_t *
     real(c_double) :: area = 0, p_lower = 0, p_upper = 0, tolerance = 0.001_c_double, tolerance_conductance = 0
     integer(c_int32_t) :: bulk = 0, reserved = 0
     real(c_double) :: bulk_stiffness = 0
     integer(c_int64_t) :: max_nodes = 0
+    type(c_funptr) :: progress = c_null_funptr  ! integer(c_int32_t) function progress(progress, user) bind(c)
+    type(c_ptr) :: user = c_null_ptr  ! void *
   end type
 
   type, bind(c) :: rc_law_info

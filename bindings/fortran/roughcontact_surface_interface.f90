@@ -64,6 +64,9 @@ module roughcontact_surface_interface
   interface
     type(c_ptr) function rc_surface_last_error() bind(c); import
     end function
+    subroutine rc_surface_stop_when(flag) bind(c); import
+      integer(c_int32_t), intent(in), optional :: flag
+    end subroutine
     integer(rc_status) function rc_surface_rmd(spec, stage, crop, out) bind(c); import
       type(rc_surface_rmd_spec), intent(in) :: spec
       integer(c_int32_t), value :: stage, crop

@@ -59,6 +59,9 @@ typedef struct rc_law_spec {
   int32_t reserved;      /* 0                                                                                         */
   double bulk_stiffness; /* GIVEN: > 0 [force/length]; else 0                                                         */
   int64_t max_nodes;     /* >= 3; 0: 10000. A law that needs more ends with RC_STOP_MAX_ITER                          */
+  rc_progress_fn progress; /* called once an iteration of each node's solve, as by rc_contact_on_progress; nonzero ends the
+                            call with RC_STOP_CANCELLED. NULL: none                                                   */
+  void *user;            /* handed to progress                                                                        */
 } rc_law_spec;
 #define RC_LAW_SPEC_INIT RC_BEGIN_WITH(rc_law_spec, tolerance = 0.001)
 
@@ -66,7 +69,8 @@ typedef struct rc_law_spec {
  *  stiffness, bounds and accuracy are set. RC_OK: every node is certified, and the bounds of p are within the tolerance from
  *  p_lower to p_upper. Positive statuses leave a law as well: RC_UNCERTIFIED: the tolerance is met by estimate only, since some
  *  intervals are RC_LAW_MONOTONE; RC_STOP_MAX_ITER: max_nodes; RC_STOP_STALLED: double precision does not give the tolerance.
- *  Errors: as rc_contact_create and rc_contact_solve, *out is then NULL; INFEASIBLE if the patch cannot carry p_upper, or is
+ *  RC_STOP_CANCELLED leaves none: *out is then NULL, as after an error.
+ *  Errors: as rc_contact_create and rc_contact_solve; INFEASIBLE if the patch cannot carry p_upper, or is
  *  closed at it. Any other stop or uncertified node: RC_ERR_NUMERIC. */
 RC_API rc_status rc_law_create(const rc_system *system, const rc_options *options, const rc_law_spec *spec, rc_law **out);
 RC_API void rc_law_destroy(rc_law *law);

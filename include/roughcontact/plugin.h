@@ -4,6 +4,8 @@
  * A plugin is a shared object rcb_<name>.so that exports one function, rc_plugin_query (RC_PLUGIN_ENTRY writes
  * its head). It links nothing of the library: all services come through rc_host. The same source can be built
  * into the library instead. Nothing here may throw, longjmp, print or exit.
+ * If the host ends its thread (see Cancellation in roughcontact.h), a service of the core does not return: the stack is
+ * unwound through the component. Its C++ functions are then not noexcept, and rethrow abi::__forced_unwind; those of plugin.hpp do.
  *
  * The core hands backends and solvers a *dimensionless* problem for half-space grids (modulus 1, cells of unit
  * area), so no component needs to think about units.

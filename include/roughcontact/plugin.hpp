@@ -45,6 +45,10 @@
 #include <string>
 #include <type_traits>
 
+#ifdef __GLIBCXX__
+#include <cxxabi.h>
+#endif
+
 #include "plugin.h"
 
 namespace roughcontact {
@@ -76,8 +80,15 @@ inline void check(rc_status status) {
   if (status != RC_OK) throw Failure{status, std::string()};
 }
 
-// Runs action(); no exception leaves it. The message of a failed allocation is itself free of allocations.
-template <class Action> rc_status guard(const rc_host* host, const Component& component, Action&& action) noexcept {
+// The exception that unwinds a thread which the host of the library has cancelled or ended inside a function of its own.
+#ifdef __GLIBCXX__
+using ThreadEnds = abi::__forced_unwind;
+#else
+struct ThreadEnds {};  // other C++ libraries have none
+#endif
+
+// Runs action(); no other exception leaves it. The message of a failed allocation is itself free of allocations.
+template <class Action> rc_status guard(const rc_host* host, const Component& component, Action&& action) {
   const auto report = [&](rc_status code, const char* what, const char* advice) {
     char text[512];
     std::snprintf(text, sizeof text, "%s: %s%s", component.name, what, advice);
@@ -95,6 +106,8 @@ template <class Action> rc_status guard(const rc_host* host, const Component& co
     return no_memory();
   } catch (const std::exception& exception) {
     return report(RC_ERR_INTERNAL, "unexpected: ", exception.what());
+  } catch (const ThreadEnds&) {
+    throw;
   } catch (...) {
     return report(RC_ERR_INTERNAL, "an exception of unknown type", "");
   }
@@ -179,55 +192,55 @@ template <class Task> void for_each(const rc_team& team, std::int64_t items, boo
 
 // The functions of an rc_backend over a C++ class; those that backend() does not take are not instantiated.
 template <class Operator> struct Functions {
-  static rc_status create(const rc_host* host, const rc_operator_spec* spec, void** self) noexcept {
+  static rc_status create(const rc_host* host, const rc_operator_spec* spec, void** self) {
     return guard(host, Operator::component, [&] { *self = new Operator(host, *spec); });
   }
   static void destroy(void* self) noexcept { delete static_cast<Operator*>(self); }
-  static rc_status bind(void* self, const rc_domain* domain) noexcept {
+  static rc_status bind(void* self, const rc_domain* domain) {
     return with(self, [&](Operator& op) { op.bind(*domain); });
   }
-  static rc_status apply(void* self, const double* x, double* y) noexcept {
+  static rc_status apply(void* self, const double* x, double* y) {
     return with(self, [&](Operator& op) { op.apply(x, y); });
   }
-  static rc_status field(void* self, const double* x, double* y) noexcept {
+  static rc_status field(void* self, const double* x, double* y) {
     return with(self, [&](Operator& op) { op.field(x, y); });
   }
   static std::int64_t modelled(void* self) noexcept { return static_cast<Operator*>(self)->modelled(); }
-  static rc_status subset(void* self, std::int64_t na, const std::int64_t* a, const double* b, double* x) noexcept {
+  static rc_status subset(void* self, std::int64_t na, const std::int64_t* a, const double* b, double* x) {
     return with(self, [&](Operator& op) { op.subset(na, a, b, x); });
   }
-  static rc_status shifted(void* self, double rho, const double* b, double* x) noexcept {
+  static rc_status shifted(void* self, double rho, const double* b, double* x) {
     return with(self, [&](Operator& op) { op.shifted(rho, b, x); });
   }
-  static rc_status norm(void* self, double* out) noexcept {
+  static rc_status norm(void* self, double* out) {
     return with(self, [&](Operator& op) { *out = op.norm(); });
   }
-  static rc_status apply_float(void* self, const float* x, float* y) noexcept {
+  static rc_status apply_float(void* self, const float* x, float* y) {
     return with(self, [&](Operator& op) { op.apply_float(x, y); });
   }
-  static rc_status screen(void* self, const double* x, rc_screen* request) noexcept {
+  static rc_status screen(void* self, const double* x, rc_screen* request) {
     return with(self, [&](Operator& op) { op.screen(x, *request); });
   }
-  static rc_status forget(void* self) noexcept {
+  static rc_status forget(void* self) {
     return with(self, [&](Operator& op) { op.forget(); });
   }
-  static void rest(void* self) noexcept {
+  static void rest(void* self) {
     with(self, [&](Operator& op) { op.rest(); });
   }
   static rc_status fetch(const rc_host* host, const rc_options* options, void* to_host, const void* from_device,
-                         std::int64_t bytes) noexcept {
+                         std::int64_t bytes) {
     return guard(host, Operator::component, [&] { Operator::fetch(host, options, to_host, from_device, bytes); });
   }
   static rc_status store(const rc_host* host, const rc_options* options, void* to_device, const void* from_host,
-                         std::int64_t bytes) noexcept {
+                         std::int64_t bytes) {
     return guard(host, Operator::component, [&] { Operator::store(host, options, to_device, from_host, bytes); });
   }
-  static rc_status score(const rc_facts* facts, rc_estimate* estimate) noexcept {
+  static rc_status score(const rc_facts* facts, rc_estimate* estimate) {
     return guard(facts->host, Operator::component, [&] { Operator::score(*facts, *estimate); });
   }
 
  private:
-  template <class Action> static rc_status with(void* self, Action&& action) noexcept {
+  template <class Action> static rc_status with(void* self, Action&& action) {
     Operator& op = *static_cast<Operator*>(self);
     return guard(op.host(), Operator::component, [&] { action(op); });
   }

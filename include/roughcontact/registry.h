@@ -78,6 +78,10 @@ RC_API rc_status rc_kernel_coefficients(const char *kernel, double hx, double hy
 /** @} */
 
 /** @defgroup schema Schema: the list of options  @{ */
+/** Cores that this process may keep busy, 1 .. 1024, the default of option threads in the command and in Python: those that its
+ *  threads may run on, or `allowed` if that is above 0; at most the time that control groups grant it (rounded up), and the first
+ *  numbers of OMP_THREAD_LIMIT and OMP_NUM_THREADS. Variables that are no lists of whole numbers above 0 are ignored. */
+RC_API int64_t rc_usable_cores(int64_t allowed);
 /** The schema, 0 .. count-1: the core's keys, then those of every component. */
 RC_API int64_t rc_options_count(rc_context *context);
 RC_API rc_status rc_options_describe(rc_context *context, int64_t i, rc_option_spec *out);

@@ -36,6 +36,14 @@
  * Floating point: every function computes in the default mode (no traps, rounding to nearest, subnormal numbers) and then restores
  * the calling thread's mode and exception flags. The caller's own functions (apply, progress, log) run in the default mode.
  *
+ * Signals: threads that the library starts block them, so that they arrive on the host's threads. A handler may call
+ * rc_contact_cancel, or set the flag of rc_stop_when.
+ *
+ * Cancellation: pthread_cancel ends a thread inside a call where the solver iterates, or in a progress or history function of the
+ * caller's; the contact may be used again, or destroyed. The caller's functions may end their thread with pthread_exit. Both unwind
+ * the thread's stack, which needs the GNU C library; elsewhere a cancelled thread ends after the call. Callers in C++ let
+ * abi::__forced_unwind pass.
+ *
  * fork(): after a call only contacts with option threads above 1 keep threads, and OpenBLAS if it serves the backend cholmod
  * (docs/development/errors.md). A child may make contacts of its own; it must not use its parent's. It must not use the library at
  * all if another thread of the parent was inside it at the fork. Programs linked with -static have no plugins.
@@ -103,7 +111,7 @@ enum {
                                a coarser grid's certified answer, corrected on it; see rc_contact_accuracy           */
   RC_STOP_MAX_ITER = 101,   /* max_iter reached before the tolerance                                                 */
   RC_STOP_TIME = 102,       /* time_limit reached                                                                    */
-  RC_STOP_CANCELLED = 103,  /* the progress callback or rc_contact_cancel asked to stop                              */
+  RC_STOP_CANCELLED = 103,  /* a progress callback, rc_contact_cancel or the flag of rc_stop_when asked to stop      */
   RC_STOP_STALLED = 104,    /* no further progress is possible in double precision                                   */
   RC_UNCERTIFIED = 105,     /* the solver claimed success, the library's own check disagrees                         */
   RC_OUTSIDE = 106,         /* beyond the table: the argument is outside the range of proven values, which are continued
@@ -134,6 +142,10 @@ RC_API const char *rc_status_text(rc_status status);
 /** The calling thread's last failure or stop, as "where: what, value, limit, what to do"; "" if the last call
  *  returned RC_OK. Valid until the thread's next call of a function that returns rc_status. */
 RC_API const char *rc_last_error(void);
+/** The calling thread's calls of this library return RC_STOP_CANCELLED soon after *flag becomes nonzero, which any thread or a
+ *  signal handler may bring about: steps, histories, batches, laws, derivatives, stiffnesses and direct routines. The library
+ *  only reads *flag, which must live until another call of this function or the thread's end. NULL: no flag (default). */
+RC_API void rc_stop_when(const int32_t *flag);
 /** Version of the library in use; any pointer may be NULL. */
 RC_API void rc_version(int32_t *major, int32_t *minor, int32_t *patch, int32_t *abi);
 /** @} */

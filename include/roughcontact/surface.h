@@ -15,8 +15,8 @@
  *
  * Lengths, wave numbers and slopes that are not 0 lie in 1e-60 .. 1e60, heights within +-1e60.
  *
- * Every function returns an rc_status: RC_OK or a negative one, with the text in rc_surface_last_error(). All of them
- * are thread-safe and keep nothing; the caller owns every array. Arrays are written only if RC_OK is returned. Sized
+ * Every function returns an rc_status: RC_OK, RC_STOP_CANCELLED or a negative one, with the text in rc_surface_last_error().
+ * All of them are thread-safe and keep nothing; the caller owns every array. Arrays are written only if RC_OK is returned. Sized
  * structs: see roughcontact.h. GSL's error handler is neither used nor changed.
  *
  * Reproducibility: the same numbers come from every call, in any thread. Midpoint displacement and noise are bitwise
@@ -35,6 +35,8 @@ extern "C" {
 /** The calling thread's last failure in this library, as "where: what, value, limit, what to do"; "" if the last call
  *  returned RC_OK. Valid until the thread's next call. */
 RC_API const char *rc_surface_last_error(void);
+/** As rc_stop_when, of the calling thread's calls of this library: they fail with RC_STOP_CANCELLED. */
+RC_API void rc_surface_stop_when(const int32_t *flag);
 
 /** @defgroup generate Generators  @{ */
 

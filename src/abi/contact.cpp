@@ -40,7 +40,10 @@ rc_status rc_contact_create(const rc_system* system, const rc_options* options, 
   });
 }
 
-void rc_contact_destroy(rc_contact* contact) { delete contact; }
+void rc_contact_destroy(rc_contact* contact) {
+  const HostsCall call;
+  delete contact;
+}
 
 rc_status rc_contact_set_options(rc_contact* contact, const rc_options* options) {
   return exclusively("rc_contact_set_options", contact, [&](Contact& c) {

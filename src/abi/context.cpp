@@ -7,6 +7,7 @@
 #include "abi/handles.h"
 #include "abi/sized_struct.h"
 #include "contact/choice.h"
+#include "core/usable_cores.h"
 
 namespace {
 
@@ -62,7 +63,12 @@ rc_status rc_context_create(const rc_context_config* config, rc_context** out) {
   });
 }
 
-void rc_context_destroy(rc_context* context) { delete context; }
+void rc_context_destroy(rc_context* context) {
+  const HostsCall call;
+  delete context;
+}
+
+int64_t rc_usable_cores(int64_t allowed) { return usable_cores(allowed); }
 
 rc_status rc_context_register(rc_context* context, const rc_plugin* plugin) {
   return guard("rc_context_register", [&] {

@@ -5,6 +5,7 @@
 
 #include "core/caught.h"
 #include "core/default_arithmetic.h"
+#include "core/host_call.h"
 
 namespace rc {
 
@@ -13,6 +14,7 @@ namespace rc {
 template <class Library> inline thread_local char own_message[1024] = "";
 
 template <class Library, class Body> rc_status own_guard(const char* where, const Body& body) {
+  const HostsCall call;
   const DefaultArithmetic arithmetic;
   own_message<Library>[0] = '\0';
   return caught(

@@ -24,7 +24,10 @@ rc_status rc_product_create(const rc_system* system, const rc_options* options, 
   });
 }
 
-void rc_product_destroy(rc_product* product) { delete product; }
+void rc_product_destroy(rc_product* product) {
+  const rc::HostsCall call;
+  delete product;
+}
 
 rc_status rc_product_apply(rc_product* product, const double* p, int64_t p_x, int64_t p_y, double* u, int64_t u_x, int64_t u_y) {
   using namespace rc;

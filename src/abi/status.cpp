@@ -1,5 +1,6 @@
-// rc_status_*, rc_last_error, rc_version
+// rc_status_*, rc_last_error, rc_stop_when, rc_version
 #include "core/error.h"
+#include "core/host_call.h"
 
 namespace {
 
@@ -37,6 +38,8 @@ const char* rc_status_text(rc_status status) {
 }
 
 const char* rc_last_error(void) { return rc::last_message(); }
+
+void rc_stop_when(const int32_t* flag) { rc::stop_flag<rc::ContactLibrary> = flag; }
 
 void rc_version(int32_t* major, int32_t* minor, int32_t* patch, int32_t* abi) {
   give(major, RC_VERSION_MAJOR);

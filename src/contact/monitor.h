@@ -8,6 +8,8 @@
 #include <chrono>
 #include <cstdint>
 
+#include "core/host_call.h"
+
 namespace rc {
 
 // Products and seconds of operators since they were made.
@@ -23,6 +25,11 @@ struct ProgressCallback {
   rc_progress_fn function = nullptr;
   void* user = nullptr;
   std::int64_t every = 1;
+
+  std::int32_t tell(const rc_progress& report) const {
+    const HostsTurn turn;
+    return function(&report, user);
+  }
 };
 
 // Who watches the steps of a contact and may cancel them: a caller, or the monitor of a finer grid.
@@ -40,7 +47,7 @@ class Cancellable {
   ~Cancellable() { watcher_.cancelled.store(false, std::memory_order_relaxed); }
   Cancellable(const Cancellable&) = delete;
   Cancellable& operator=(const Cancellable&) = delete;
-  bool cancelled() const { return watcher_.cancelled.load(std::memory_order_relaxed); }
+  bool cancelled() const { return stop_asked<ContactLibrary>() || watcher_.cancelled.load(std::memory_order_relaxed); }
 
  private:
   Watcher& watcher_;
@@ -53,9 +60,10 @@ class Monitor {
           const Spent& before = {})
       : cancelled_(cancelled), progress_(progress), time_limit_(time_limit), max_iter_(max_iter), before_(before) {}
 
+  bool cancelled() const { return stop_asked<ContactLibrary>() || cancelled_.load(std::memory_order_relaxed); }
   // Asked before every product.
   rc_status ask() const {
-    if (cancelled_.load(std::memory_order_relaxed)) return RC_STOP_CANCELLED;
+    if (cancelled()) return RC_STOP_CANCELLED;
     if (time_limit_ > 0 && seconds() > time_limit_) return RC_STOP_TIME;
     return RC_OK;
   }
@@ -67,7 +75,7 @@ class Monitor {
     if (progress_.function && iterations_ >= next_report_) {
       next_report_ = iterations_ + progress_.every;
       const rc_progress report{sizeof(rc_progress), iterations_, products, kkt, seconds()};
-      if (progress_.function(&report, progress_.user) != 0) return RC_STOP_CANCELLED;
+      if (progress_.tell(report) != 0) return RC_STOP_CANCELLED;
     }
     if (const rc_status status = ask(); status != RC_OK) return status;
     return used_up() ? RC_STOP_MAX_ITER : RC_OK;
@@ -78,7 +86,7 @@ class Monitor {
     if (!progress_.function || inner.iteration % progress_.every != 0) return 0;
     rc_progress report = inner;
     report.seconds = seconds();
-    return progress_.function(&report, progress_.user);
+    return progress_.tell(report);
   }
   void next_call() { iteration_ = 0; }
   // begin_call and end_call enclose a solver inside a solver.

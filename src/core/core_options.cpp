@@ -21,7 +21,7 @@ constexpr rc_option_spec core_specs[] = {
     int_option(RC_OPT_MAX_ITER, "10000", 1, 1e9, "iterations of the solver after which it stops"),
     real_option(RC_OPT_TIME_LIMIT, "0", 0, 1e9, "seconds after which a step stops; 0: no limit"),
     fixed(int_option(
-        RC_OPT_THREADS, "1", 1, 1024,
+        RC_OPT_THREADS, "1", 1, most_threads,
         "threads that a contact may use, or a batch of contacts; the command and Python set one for each 16384 points, up to all "
         "cores")),
     fixed(int_option(RC_OPT_DETERMINISTIC, "1", 0, 1,

@@ -66,7 +66,7 @@ class Ranks {
   // Records this rank's failure; the first one counts.
   void failed(rc_status status, const char* message) const noexcept;
   // Runs an action that may throw. Then this rank has failed.
-  template <class Action> void guarded(const Action& action) const noexcept {
+  template <class Action> void guarded(const Action& action) const {
     caught(
         [&]() -> rc_status {
           action();

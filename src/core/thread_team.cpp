@@ -3,7 +3,7 @@
 #include <chrono>
 #include <system_error>
 
-#include "core/error.h"
+#include "platform/threads.h"
 
 namespace rc {
 
@@ -49,16 +49,15 @@ ThreadTeam::ThreadTeam(std::int64_t count) : rc_team{} {
   threads = 1;
   if (count <= 1) return;
   helpers_.reserve(static_cast<std::size_t>(count) - 1);
+  const rc_platform::SignalsBlocked helpers_take_no_signals;
   try {
-    for (std::int64_t thread = 1; thread < count; ++thread) helpers_.emplace_back([this, thread] { help(thread); });
+    for (; threads < count; ++threads) helpers_.emplace_back([this, thread = threads] { help(thread); });
   } catch (const std::system_error&) {
-    stop();
-    fail(RC_ERR_MEMORY, "the system refused to start thread ", helpers_.size() + 2, " of ", count, "; lower the option threads");
+    // The system refuses more threads: those that there are do the work.
   } catch (...) {
     stop();
     throw;
   }
-  threads = count;
 }
 
 ThreadTeam::~ThreadTeam() { stop(); }
@@ -91,7 +90,14 @@ void ThreadTeam::run(std::int64_t items, Task task, void* argument) {
     wake = asleep_ > 0;
   }
   if (wake) wake_.notify_all();
+  struct Round {  // ends with this function, also if a function of the host's ends the thread inside the task
+    ThreadTeam& team;
+    ~Round() { team.end_round(); }
+  } round{*this};
   work(0);
+}
+
+void ThreadTeam::end_round() {
   {
     const std::lock_guard lock(mutex_);
     open_ = false;  // a helper that comes later has nothing left to do and is not waited for
@@ -107,6 +113,21 @@ void ThreadTeam::work(std::int64_t thread) {
 }
 
 void ThreadTeam::help(std::int64_t thread) {
+  struct Counted {  // down to what it was, also if a function of the host's ends the thread inside the task
+    ThreadTeam& team;
+    ~Counted() {
+      const std::lock_guard lock(team.mutex_);
+      if (--team.busy_ == 0) team.idle_.notify_one();
+    }
+  };
+  struct Left {
+    ThreadTeam& team;
+    ~Left() {
+      const std::lock_guard lock(team.mutex_);
+      ++team.left_;
+      team.idle_.notify_one();
+    }
+  } left{*this};
   std::uint64_t seen = 0;
   for (;;) {
     watch([&] { return round_ != seen; });
@@ -114,17 +135,13 @@ void ThreadTeam::help(std::int64_t thread) {
     ++asleep_;
     wake_.wait(lock, [&] { return stopping_ || round_ != seen; });
     --asleep_;
-    if (stopping_) {
-      ++left_;
-      return idle_.notify_one();
-    }
+    if (stopping_) return;
     seen = round_;
     if (!open_) continue;
     ++busy_;
     lock.unlock();
+    const Counted counted{*this};
     work(thread);
-    lock.lock();
-    if (--busy_ == 0) idle_.notify_one();
   }
 }
 

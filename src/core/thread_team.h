@@ -15,7 +15,7 @@ namespace rc {
 
 class ThreadTeam : public rc_team {
  public:
-  // The calling thread is one of them: with 1 no thread is made.
+  // The calling thread is one of them: with 1 no thread is made. Fewer if the system refuses to start so many.
   explicit ThreadTeam(std::int64_t count);
   ~ThreadTeam();
   ThreadTeam(const ThreadTeam&) = delete;
@@ -26,6 +26,7 @@ class ThreadTeam : public rc_team {
 
   void run(std::int64_t items, Task task, void* argument);
   void work(std::int64_t thread);
+  void end_round();
   void help(std::int64_t thread);
   void stop();
 

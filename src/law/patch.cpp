@@ -18,7 +18,7 @@ namespace {
 constexpr double least_rate = 1e-3;  // of the overclosure with the approach: below, the patch is closed
 
 void must(rc_status status) {
-  if (status < 0) fail(status, rc_last_error());
+  if (status < 0 || status == RC_STOP_CANCELLED) fail(status, rc_last_error());
   if (status > 0) fail(RC_ERR_NUMERIC, "a node was not certified: ", rc_last_error());
 }
 
@@ -39,6 +39,7 @@ LawPatch::LawPatch(const rc_system& system, const rc_options* options, const rc_
   rc_contact* made = nullptr;
   must(rc_contact_create(&system, options_.get(), &made));
   contact_.reset(made);
+  must(rc_contact_on_progress(made, spec.progress, spec.user, 1));
   n_ = system.nx * system.ny;
   area_ = spec.area > 0 ? spec.area : static_cast<double>(n_) * system.hx * system.hy;
   double sum = 0, lowest = std::numeric_limits<double>::infinity();

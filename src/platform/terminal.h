@@ -24,6 +24,4 @@ void when_asked_to_end(void (*handler)(int number));
 // Ends the program as the signal does where nobody handles it.
 void end_by(int number);
 
-int usable_cores();  // that this process may run on
-
 }  // namespace rc_platform

@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "platform/libraries.h"
+#include "platform/threads.h"
 #include "registry/context.h"
 
 namespace rc {
@@ -76,6 +77,7 @@ std::vector<std::string> plugin_names(const std::vector<std::string>& directorie
 }
 
 const rc_plugin* load_plugin(const std::string& path, const std::string& name, const rc_host& host) {
+  const rc_platform::SignalsBlocked its_threads_take_no_signals;
   const OpenedPlugin opened = open_plugin(path);
   if (!opened.code) fail(RC_ERR_PLUGIN, opened.error);
   const auto query = reinterpret_cast<rc_plugin_query_fn>(symbol_of(opened.code, "rc_plugin_query"));

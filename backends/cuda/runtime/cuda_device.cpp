@@ -3,6 +3,8 @@
 #include <cstring>
 #include <string>
 
+#include "platform/threads.h"
+
 namespace rc_cuda {
 
 namespace {
@@ -45,6 +47,7 @@ void copy_by(const rc_team& team, unsigned char* to, const unsigned char* from, 
 }  // namespace
 
 Device::Device(const rc_host* host, Index index) : host_(host), index_(index) {
+  const rc_platform::SignalsBlocked threads_of_the_driver_take_none;
   int devices = 0;
   checked(cudaGetDeviceCount(&devices), "cudaGetDeviceCount");
   if (index >= devices)

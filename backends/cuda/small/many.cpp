@@ -140,7 +140,7 @@ template <class R> void solve(const rc_host* host, rc_many& many, const rc_optio
 
 }  // namespace
 
-rc_status solve_many(const rc_host* host, rc_many* many, const rc_options* options) noexcept {
+rc_status solve_many(const rc_host* host, rc_many* many, const rc_options* options) {
   return roughcontact::guard(host, component, [&] {
     const rc_grid& grid = *many->grid;
     if (grid.nx > most_points_of_many / grid.ny || !SmallSpectrum::suits(grid.nx, grid.ny, grid.boundary == RC_BOUNDARY_PERIODIC))

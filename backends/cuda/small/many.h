@@ -9,6 +9,6 @@ namespace rc_cuda {
 
 constexpr std::int64_t most_points_of_many = 128 * 128;  // larger contacts fill a device by themselves
 
-rc_status solve_many(const rc_host* host, rc_many* many, const rc_options* options) noexcept;
+rc_status solve_many(const rc_host* host, rc_many* many, const rc_options* options);
 
 }  // namespace rc_cuda

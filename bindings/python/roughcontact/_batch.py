@@ -122,21 +122,19 @@ def batch(
     for name, array, own in (("target", targets, 2), ("undeformed_gap", gaps, axes + 1), ("mask", masks, axes + 1)):
         setattr(struct, f"{name}_stride", _constants.RC_BATCH_SHARED if array is not None and array.ndim < own else 0)
 
-    stop: List[bool] = []
     shared = masks if masks is not None and masks.ndim == axes else None
     grid = Grid(system.shape, system.pitch, system.periodic, shared, system.modulus)
 
     bars = Bars()
 
     def after(contact: int, step: int, answer: Any, _: Any) -> object:
-        if stop or each is None:
-            return bool(stop)
+        assert each is not None
         own = grid if masks is None or shared is not None else replace(grid, mask=masks[contact])
         return each(contact, step, result_with_copies(answer.contents, own))
 
     def so_far(ended: int, _: Any) -> object:
         bars.show(ended)
-        return bool(stop)
+        return False
 
     callbacks = Callbacks()
     struct.progress = rc_batch_progress_fn(callbacks.guarded(so_far))
@@ -151,7 +149,7 @@ def batch(
 
     keep = (system, product, callbacks, targets, gaps, masks, starts, out, whole, statuses, pressures)
     with bars.over("steps", n * steps) if progress else nullcontext():
-        status, message, interrupt = interruptible(call, lambda: stop.append(True), keep=keep)
+        status, message, interrupt = interruptible(call, keep=keep)
     answer = None
     if struct.written == n:
         ends: Dict[str, Any] = {"certified": struct.certified, "first": struct.first, "grid": grid}

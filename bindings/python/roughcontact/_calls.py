@@ -1,12 +1,13 @@
 """Calls of the library: statuses into exceptions, callbacks whose exceptions arrive, Ctrl-C that arrives during a long call."""
 
+import ctypes
 import functools
-import signal
 import threading
-from typing import Any, Callable, Dict, List, Optional, Tuple, TypeVar, cast
+from typing import Any, Callable, Dict, List, NamedTuple, Optional, Tuple, TypeVar, cast
 
 from ._errors import BusyError, Interrupted, error_for
 from ._library import contact_library, formats_library, surface_library
+from ._signals import AsCaller, block
 from ._status import Status
 from ._use import Use
 
@@ -22,14 +23,25 @@ def check(status: int, message: Callable[[], str] = last_message) -> None:
         raise error_for(status, message())
 
 
-def check_surface(status: int) -> None:
-    """The same for libroughcontact-surface."""
-    check(status, lambda: str(surface_library().rc_surface_last_error().decode(errors="replace")))
-
-
 def check_formats(status: int) -> None:
     """The same for libroughcontact-formats."""
     check(status, lambda: str(formats_library().rc_surface_read_last_error().decode(errors="replace")))
+
+
+class Library(NamedTuple):
+    """How the calls of a library are ended, and what its last one said."""
+
+    stop_when: Callable[[Any], None]
+    last_message: Callable[[], str]
+
+
+def contact_calls() -> Library:
+    return Library(contact_library().rc_stop_when, last_message)
+
+
+def surface_calls() -> Library:
+    library = surface_library()
+    return Library(library.rc_surface_stop_when, lambda: str(library.rc_surface_last_error().decode(errors="replace")))
 
 
 F = TypeVar("F", bound=Callable[..., Any])
@@ -68,7 +80,8 @@ class Callbacks:
 
         def call(*arguments: Any) -> int:
             try:
-                return 1 if function(*arguments) else 0
+                with AsCaller():
+                    return 1 if function(*arguments) else 0
             except BaseException as error:  # nothing may pass through C
                 self._raised.append(error)
                 return 1
@@ -96,39 +109,50 @@ def conclude(
         raise error_for(status, message, answer)
 
 
-def _takes_ctrl_c() -> bool:
-    return threading.current_thread() is threading.main_thread() and callable(signal.getsignal(signal.SIGINT))
+def _refused(error: BaseException) -> bool:
+    """Whether the system or the interpreter gave no second thread; not what a signal handler raised meanwhile."""
+    at = error.__traceback__
+    while at is not None and at.tb_next is not None:
+        at = at.tb_next
+    raised_by = at.tb_frame.f_globals.get("__name__") if at is not None else None
+    says_so = "new thread" in str(error) or raised_by in (__name__, threading.__name__)
+    return isinstance(error, RuntimeError) and error.__context__ is None and says_so
 
 
 def interruptible(
-    call: Callable[[], int], cancel: Callable[[], None], use: Optional[Use] = None, keep: Any = None
+    call: Callable[[], int], use: Optional[Use] = None, keep: Any = None, of: Callable[[], Library] = contact_calls
 ) -> Tuple[int, str, Optional[BaseException]]:
-    """(status, message, interrupt) of call().
+    """(status, message, interrupt) of call(), which makes calls of one library.
 
     On the main thread call() runs on a thread of its own: Python delivers signals to the main thread only, which waits here.
-    What a signal handler raises, KeyboardInterrupt as a rule, cancels the call and is returned when that has ended.
+    What a signal handler raises, KeyboardInterrupt as a rule, ends the call and is returned when that has ended. Without a
+    second thread the call runs on this one, and handlers run when it has ended.
 
     A handler may raise at any place, so it can get out of this function before the call has ended. The thread therefore holds
     all that the call uses: call itself, keep (what call knows by its address alone), and the use of a handle.
     """
     found: List[Any] = []
+    library = of()
 
     def with_message() -> Tuple[int, str]:
         status = call()
-        return status, last_message() if status else ""
+        return status, library.last_message() if status else ""
 
-    if not _takes_ctrl_c():
+    if threading.current_thread() is not threading.main_thread():
         return (*with_message(), None)
 
+    flag = ctypes.c_int32(0)
     ticket: Dict[str, str] = {}  # who decided first whether the call takes place
     done = threading.Lock()
     done.acquire()
 
     def body(_: Any = keep) -> None:
+        block()
         working = use is None or use.begin_work()
         answer: Any = None
         try:
             if ticket.setdefault("by", "worker") == "worker":
+                library.stop_when(flag)
                 answer = with_message() if working else BusyError("the contact is in use by a call that was interrupted")
         except BaseException as error:
             answer = error
@@ -145,12 +169,15 @@ def interruptible(
         if ticket.setdefault("by", "caller") == "caller":
             found.append(interrupt)
         else:
-            cancel()
+            flag.value = 1
 
     try:
         threading.Thread(target=body, name="roughcontact", daemon=True).start()
-        done.acquire()
-    except BaseException as error:  # from a signal handler, or the system refused a thread
+        while not done.acquire(timeout=0.1):
+            pass  # a signal that the system gave to another thread does not wake this one
+    except BaseException as error:  # from a signal handler, or there is no second thread
+        if _refused(error) and ticket.setdefault("by", "caller") == "caller":
+            return (*with_message(), None)
         interrupt = error
         try:  # a second handler raises where the next function begins
             _wait(found, done, stop)
@@ -161,6 +188,11 @@ def interruptible(
     if isinstance(found[0], BaseException):
         raise found[0]
     return (*found[0], interrupt)
+
+
+def finish(call: Callable[[], int], *called: Callbacks, keep: Any = None, of: Callable[[], Library] = contact_calls) -> None:
+    """Runs a call that has no answer unless it succeeds."""
+    conclude(*interruptible(call, keep=keep, of=of), None, True, *called)
 
 
 def _wait(found: List[Any], done: Any, stop: Callable[[], None]) -> None:

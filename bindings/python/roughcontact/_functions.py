@@ -17,6 +17,7 @@ class ContactFunctions(Protocol):
     rc_status_name: Callable[[rc_status], text]
     rc_status_text: Callable[[rc_status], text]
     rc_last_error: Callable[[], text]
+    rc_stop_when: Callable[[statuses], None]
     rc_version: Callable[[statuses, statuses, statuses, statuses], None]
     rc_gap_from_heights: Callable[[int64_t, doubles, bytes_, doubles], rc_status]
     rc_options_create: Callable[[handle, handles], rc_status]
@@ -89,6 +90,7 @@ class ContactFunctions(Protocol):
     rc_kernel_describe: Callable[[handle, int64_t, rc_component], rc_status]
     rc_pair_supported: Callable[[handle, text, text, rc_system, int32_t, handle], rc_status]
     rc_kernel_coefficients: Callable[[text, double, double, int64_t, int64_t, doubles], rc_status]
+    rc_usable_cores: Callable[[int64_t], int64_t]
     rc_options_describe: Callable[[handle, int64_t, rc_option_spec], rc_status]
     rc_context_register: Callable[[handle, handle], rc_status]
 
@@ -97,6 +99,7 @@ class SurfaceFunctions(Protocol):
     """libroughcontact-surface"""
 
     rc_surface_last_error: Callable[[], text]
+    rc_surface_stop_when: Callable[[statuses], None]
     rc_surface_rmd: Callable[[rc_surface_rmd_spec, int32_t, int32_t, doubles], rc_status]
     rc_surface_spectral: Callable[[rc_surface_spectral_spec, doubles], rc_status]
     rc_surface_shape: Callable[[rc_surface_shape_spec, doubles], rc_status]

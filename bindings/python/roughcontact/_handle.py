@@ -58,7 +58,6 @@ class Handle(OwnsHandle):
         self._options: Dict[str, Any] = {}
         self._borrowed: List[Any] = []  # arrays that the library may still look at
         self._mask: Optional[Mask] = None
-        self._late_cancel = False
         struct, self._product = system.struct()
         self._handle = ctypes.c_void_p()
         with OptionSet(options, context) as handle:
@@ -74,7 +73,7 @@ class Handle(OwnsHandle):
         self._bars = Bars() if progress is True else None
         if progress is not None and progress is not False:
             watch = _shown_on(self._bars) if self._bars else progress
-            self._progress = rc_progress_fn(self._callbacks.guarded(_progress_caller(watch)))
+            self._progress = rc_progress_fn(self._callbacks.guarded(progress_caller(watch)))
             check(library.rc_contact_on_progress(self._handle, self._progress, None, interval))
 
     def close(self) -> None:
@@ -128,24 +127,9 @@ class Handle(OwnsHandle):
                 self._mask = before
             raise
 
-    def _run(self, call: Callable[[], int], keep: Any, clears: bool = True) -> Tuple[int, str, Optional[BaseException]]:
-        """(status, message, interrupt) of a call that this contact's `cancel` ends.
-
-        clears: whether C then forgets that it was asked to.
-        """
-        asked = []
-
-        def cancel() -> None:
-            asked.append(True)
-            self.cancel()
-
-        status, message, interrupt = interruptible(call, cancel, self._use, (self, keep))
-        if status == Status.STOP_CANCELLED and self._late_cancel and not asked:
-            self._late_cancel = False  # it was meant for the call before, which had just ended
-            return self._run(call, keep, clears)
-        waits = status < 0 or not clears  # what was meant for an earlier call
-        self._late_cancel = (bool(asked) or self._late_cancel and waits) and status != Status.STOP_CANCELLED
-        return status, message, interrupt
+    def _run(self, call: Callable[[], int], keep: Any) -> Tuple[int, str, Optional[BaseException]]:
+        """(status, message, interrupt) of a call that uses this contact."""
+        return interruptible(call, self._use, (self, keep))
 
     def _conclude(self, *ended: Any) -> None:
         """As `conclude`, of a call of this contact."""
@@ -160,7 +144,7 @@ def _shown_on(bars: Bars) -> Callable[[Progress], object]:
     return lambda report: bars.show(report.iteration, report.kkt)
 
 
-def _progress_caller(progress: Any) -> Callable[[Any, Any], object]:
+def progress_caller(progress: Any) -> Callable[[Any, Any], object]:
     def call(report: Any, _: Any) -> object:
         return progress(Progress(**members_for(Progress, report.contents)))
 

@@ -12,14 +12,15 @@ from numpy.typing import ArrayLike
 
 from . import _constants, plot
 from ._arrays import Doubles, Pitch, as_doubles, as_text, pointer
-from ._calls import check, conclude, last_message
+from ._calls import Callbacks, check, conclude, interruptible
 from ._elastic import Constant, modulus_of
 from ._errors import ArgumentError
+from ._handle import Progress, progress_caller
 from ._keywords import options_of
 from ._library import contact_library
 from ._solve import system_for
 from ._status import Status
-from ._structs import rc_law_export_spec, rc_law_info, rc_law_node, rc_law_point, rc_law_spec
+from ._structs import rc_law_export_spec, rc_law_info, rc_law_node, rc_law_point, rc_law_spec, rc_progress_fn
 from ._threads import with_threads
 from ._use import OwnsHandle
 from .context import Context, Options, OptionSet
@@ -200,6 +201,7 @@ def law(
     area: float = 0,
     max_nodes: int = 0,
     check_status: bool = True,
+    progress: Optional[Callable[[Progress], object]] = None,
     options: Options = None,
     context: Optional[Context] = None,
     **keywords: Any,
@@ -210,6 +212,8 @@ def law(
     tolerance, conductance_tolerance: half the distance between the bounds, relative; conductance_tolerance=0: no limit
     bulk: "auto", "none", "mean", or a stiffness [force/length], see `rc_law_spec`
     check_status: False: a law whose tolerance is not proven is returned, with its status, instead of a `NotCertifiedError`
+    progress: called with a `Progress` once an iteration of each node's solve, on the thread that solves; True ends the call with a
+        `NotCertifiedError`
     Other arguments as in `solve` and `rc_law_spec`.
     """
     options = options_of(law, options, keywords, context)
@@ -238,12 +242,19 @@ def law(
         spec.bulk = BULK[bulk]
     else:
         spec.bulk, spec.bulk_stiffness = _constants.RC_LAW_BULK_GIVEN, float(bulk)
+    callbacks = Callbacks()
+    if progress is not None:
+        spec.progress = rc_progress_fn(callbacks.guarded(progress_caller(progress)))
     handle = ctypes.c_void_p()
     struct, product = found.struct()
-    with OptionSet(with_threads(options, found), context) as chosen:
-        status = contact_library().rc_law_create(struct, chosen, spec, handle)
-        message = last_message()
-    made = Law(handle, Status(status)) if status >= 0 else None
-    conclude(status, message, None, made, check_status, product)
+    chosen = with_threads(options, found)
+
+    def call() -> int:
+        with OptionSet(chosen, context) as given:
+            return int(contact_library().rc_law_create(struct, given, spec, handle))
+
+    status, message, interrupt = interruptible(call, keep=(found, product, callbacks, gap, points))
+    made = Law(handle, Status(status)) if handle else None
+    conclude(status, message, interrupt, made, check_status or made is None, product, callbacks)
     assert made is not None
     return made

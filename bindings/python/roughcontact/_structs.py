@@ -139,7 +139,7 @@ class rc_crossing(Sized):
 class rc_law_spec(Sized):
     members = """size_t struct_size; doubles undeformed_gap; bytes_ mask;
     double area p_lower p_upper tolerance=0.001 tolerance_conductance; int32_t bulk reserved;
-    double bulk_stiffness; int64_t max_nodes"""
+    double bulk_stiffness; int64_t max_nodes; rc_progress_fn progress; handle user"""
 
 
 @struct

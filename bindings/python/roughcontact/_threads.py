@@ -6,19 +6,16 @@ from typing import Any, Dict
 import numpy as np
 
 from . import _constants
+from ._library import contact_library
 from .system import HalfSpace, Product, System
 
 POINTS_EACH = 16384  # of a half-space: with fewer a thread waits more than it works
 
 
 def usable_cores() -> int:
-    """Processor cores that this process may use; OMP_THREAD_LIMIT and OMP_NUM_THREADS bound them."""
-    found = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    for name in ("OMP_THREAD_LIMIT", "OMP_NUM_THREADS"):
-        limit = os.environ.get(name, "")
-        if limit.isdigit() and int(limit) > 0:
-            found = min(found, int(limit))
-    return min(found, 1024)
+    """Cores that this process may keep busy, see `rc_usable_cores`."""
+    allowed = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else 0
+    return contact_library().rc_usable_cores(allowed)
 
 
 def with_threads(options: Any, system: System, contacts: int = 0) -> Dict[str, Any]:

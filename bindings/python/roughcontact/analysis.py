@@ -17,10 +17,11 @@ from numpy.typing import ArrayLike, NDArray
 from . import _constants
 from ._arrays import Doubles, Mask, Pitch, as_doubles, as_int, as_mask, as_pitch, given, pointer, refuse_one_row
 from ._c import members_for
-from ._calls import check
+from ._calls import check, conclude, interruptible
 from ._errors import ArgumentError, ShapeError
 from ._library import contact_library
 from ._brief import brief
+from ._status import Status
 from ._structs import rc_area, rc_crossing, rc_histogram, rc_patches, rc_result
 from .context import Context, Options, OptionSet
 from .system import Repeats, System, axes_of, grid_struct
@@ -225,8 +226,11 @@ def punch_stiffness(
     touching = as_mask(mask, "mask", system.shape)
     struct, product = system.struct()
     found = [ctypes.c_double() for _ in range(3)]
-    with OptionSet(options, context) as handle:
-        status = contact_library().rc_punch_stiffness(struct, pointer(touching), handle, *found)
-        product.raise_first()
-        check(status)
+
+    def call() -> int:
+        with OptionSet(options, context) as handle:
+            return int(contact_library().rc_punch_stiffness(struct, pointer(touching), handle, *found))
+
+    status, message, interrupt = interruptible(call, keep=(system, product, touching))
+    conclude(status, message, interrupt, None, status == Status.STOP_CANCELLED, product)
     return PunchStiffness(*(each.value for each in found))

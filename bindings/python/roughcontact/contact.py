@@ -193,8 +193,8 @@ class Contact(Handle):
         *inputs: Any,
     ) -> Result:
         struct = given(rc_result(), p=pressure, gap=deformed)
-        keep, clears = (pressure, deformed, inputs), function is not contact_library().rc_contact_certify
-        status, message, interrupt = self._run(lambda: int(function(self._handle, step, struct)), keep, clears)
+        keep = (pressure, deformed, inputs)
+        status, message, interrupt = self._run(lambda: int(function(self._handle, step, struct)), keep)
         answer = result_from(struct, message, self.grid(), pressure, deformed, self._handle) if status >= 0 else None
         self._conclude(status, message, interrupt, answer, must_be_certified)
         assert answer is not None

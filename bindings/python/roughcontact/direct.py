@@ -61,8 +61,7 @@ class DirectResult:
 
 def _call(function: Any, arguments: Tuple[Any, ...], p: Doubles, w: Optional[Doubles], check: bool) -> DirectResult:
     struct = rc_direct()
-    # These routines cannot be cancelled: Ctrl-C arrives when they return.
-    status, message, interrupt = interruptible(lambda: int(function(*arguments, struct)), lambda: None, keep=(p, w))
+    status, message, interrupt = interruptible(lambda: int(function(*arguments, struct)), keep=(p, w, arguments))
     answer = None
     if status >= 0:
         answer = DirectResult(p=p, w=w, message=message, **{**members_for(DirectResult, struct), "status": as_status(status)})

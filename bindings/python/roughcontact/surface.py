@@ -17,7 +17,7 @@ from . import _constants
 from ._arrays import Doubles, Mask, Pitch, as_doubles, as_int, as_pitch, as_seed, as_shape, as_switch, given, pointer
 from ._arrays import columns_and_rows
 from ._c import members_for
-from ._calls import check_surface, short_traceback
+from ._calls import finish, short_traceback, surface_calls
 from ._errors import ArgumentError, ShapeError
 from ._library import surface_library
 from ._height_map import Surface
@@ -50,6 +50,12 @@ def _pitch(pitch: Optional[Pitch]) -> Tuple[float, float]:
     return (spec.hx, spec.hy) if pitch is None else as_pitch(pitch)
 
 
+def _run(name: str, *arguments: Any, keep: Any = None) -> None:
+    """Calls a function of the library; Ctrl-C ends it."""
+    function = getattr(surface_library(), f"rc_surface_{name}")
+    finish(lambda: int(function(*arguments)), keep=keep, of=surface_calls)
+
+
 def rmd(
     levels: int,
     *,
@@ -76,7 +82,7 @@ def rmd(
     at = spec.levels if stage is None else as_int(stage, "stage", 32)
     side = 2**at + (0 if crop else 1) if 0 <= at <= spec.levels <= 14 else 1  # what is refused is not written to
     heights = np.empty((side, side))
-    check_surface(surface_library().rc_surface_rmd(spec, at, int(bool(crop)), pointer(heights)))
+    _run("rmd", spec, at, int(bool(crop)), pointer(heights))
     return Surface(heights, _pitch(pitch))
 
 
@@ -108,7 +114,7 @@ def spectral(
     given(spec, q_high=q_high, rms_height=rms_height, rms_slope=rms_slope, fixed_amplitudes=as_switch(fixed_amplitudes))
     heights = np.empty(_not_negative(sides))
     _refuse_wavelengths(spec, q_low=q_low, q_rolloff=q_rolloff)
-    check_surface(surface_library().rc_surface_spectral(spec, pointer(heights)))
+    _run("spectral", spec, pointer(heights))
     return Surface(heights, (hx, hy), periodic=True)
 
 
@@ -148,7 +154,7 @@ def _shape(
     spec = given(rc_surface_shape_spec(), shape=kind, nx=nx, ny=ny, hx=hx, hy=hy, **values)
     given(spec, period_x=period[0], period_y=period[1])
     heights = np.empty(_not_negative(sides))
-    check_surface(surface_library().rc_surface_shape(spec, pointer(heights)))
+    _run("shape", spec, pointer(heights))
     return Surface(heights, (hx, hy), periodic)
 
 
@@ -293,9 +299,9 @@ def analyze(
     surface: see the module; periodic: differences across the edges; None: as the surface says, else not
     trend: removed first: "mean", "plane", or "auto": the mean of periodic surfaces, else the plane
     """
-    struct, _kept = _map(surface, pitch, periodic, trend)
+    struct, kept = _map(surface, pitch, periodic, trend)
     out = rc_surface_statistics()
-    check_surface(surface_library().rc_surface_analyze(struct, out))
+    _run("analyze", struct, out, keep=kept)
     return Statistics(**members_for(Statistics, out))
 
 
@@ -304,12 +310,11 @@ def psd(
     surface: Any, *, pitch: Optional[Pitch] = None, periodic: Optional[bool] = None, trend: Optional[str] = None
 ) -> Spectrum:
     """Radial average of the PSD; surfaces that are not periodic get a Hann window. Arguments as in `analyze`."""
-    struct, _kept = _map(surface, pitch, periodic, trend)
-    library = surface_library()
+    struct, kept = _map(surface, pitch, periodic, trend)
     count = ctypes.c_int64()
-    check_surface(library.rc_surface_psd(struct, None, None, None, count))
+    _run("psd", struct, None, None, None, count, keep=kept)
     q, power, modes = np.empty(count.value), np.empty(count.value), np.empty(count.value, np.int64)
-    check_surface(library.rc_surface_psd(struct, pointer(q), pointer(power), pointer(modes), count))
+    _run("psd", struct, pointer(q), pointer(power), pointer(modes), count, keep=kept)
     return Spectrum(q, power, modes)
 
 
@@ -318,9 +323,9 @@ def power_law(
     surface: Any, *, pitch: Optional[Pitch] = None, periodic: Optional[bool] = None, trend: Optional[str] = None
 ) -> PowerLaw:
     """Hurst exponent, roll-off, cut-off and periodic textures. Arguments as in `analyze`."""
-    struct, _kept = _map(surface, pitch, periodic, trend)
+    struct, kept = _map(surface, pitch, periodic, trend)
     out = rc_surface_power_law()
-    check_surface(surface_library().rc_surface_fit(struct, out))
+    _run("fit", struct, out, keep=kept)
     peaks = np.array([out.peak_qx[: out.peaks], out.peak_qy[: out.peaks]]).T.reshape(out.peaks, 2)
     own = {"peak_q": peaks, "peak_share": np.array(out.peak_share[: out.peaks])}
     return PowerLaw(**{**members_for(PowerLaw, out), **own})
@@ -340,9 +345,9 @@ def cmr_advice(
 
     approach: of the other body from the highest point [length], 0: (highest - mean)/2. Others as in `analyze`
     """
-    struct, _kept = _map(surface, pitch, periodic, trend)
+    struct, kept = _map(surface, pitch, periodic, trend)
     out = rc_surface_cmr()
-    check_surface(surface_library().rc_surface_cmr_advice(struct, as_int(levels, "levels", 32), approach, out))
+    _run("cmr_advice", struct, as_int(levels, "levels", 32), approach, out, keep=kept)
     return CmrAdvice(**{**members_for(CmrAdvice, out), "trustworthy": bool(out.trustworthy)})
 
 
@@ -363,10 +368,6 @@ def downsample(surface: Any, filter: str, *, pitch: Optional[Pitch] = None, mask
         raise ShapeError(f"heights have shape {fine.shape}; at least one point is needed")
     out = np.empty(coarse)
     out_mask: Optional[Mask] = None if fine.mask is None else np.empty(coarse, np.uint8)
-    check_surface(
-        surface_library().rc_surface_downsample(
-            nx, ny, pointer(heights), pointer(fine.mask), FILTERS[filter], pointer(out), pointer(out_mask)
-        )
-    )
+    _run("downsample", nx, ny, pointer(heights), pointer(fine.mask), FILTERS[filter], pointer(out), pointer(out_mask))
     pitches = (2 * fine.pitch[0], 2 * fine.pitch[1] if len(coarse) == 2 else fine.pitch[1])
     return Surface(out, pitches, fine.periodic, out_mask, fine.unit)

@@ -16,6 +16,7 @@
 #include "contact/calls/many_check.h"
 #include "contact/calls/step_outputs.h"
 #include "core/caught.h"
+#include "core/host_call.h"
 #include "core/limits.h"
 
 namespace rc {
@@ -105,6 +106,7 @@ class Progress {
   std::int64_t next(std::int64_t count) { return next_.fetch_add(count, std::memory_order_relaxed); }
 
   rc_status stopped() {
+    if (stop_asked<ContactLibrary>()) stop_by("the flag of rc_stop_when ended the batch");
     if (time_limit_ > 0 && seconds_since(start_) > time_limit_) stop(RC_STOP_TIME);
     return stop_.load(std::memory_order_relaxed);
   }
@@ -122,7 +124,7 @@ class Progress {
   // Adds to the number of steps that have outputs.
   void add(std::int64_t steps) {
     const std::int64_t all = steps_.fetch_add(steps, std::memory_order_relaxed) + steps;
-    if (tell_ && stopped() == RC_OK && tell_(all, user_) != 0) stop_by("rc_batch.progress ended the batch");
+    if (tell_ && stopped() == RC_OK && told(all) != 0) stop_by("rc_batch.progress ended the batch");
   }
 
   // Contact i ended at step k, not certified. Allocates nothing, because an allocation may be what failed.
@@ -169,6 +171,11 @@ class Progress {
   }
 
  private:
+  std::int32_t told(std::int64_t steps) const {
+    const HostsTurn turn;
+    return tell_(steps, user_);
+  }
+
   std::vector<rc_status> endings_;
   const rc_batch_progress_fn tell_;  // null: nobody
   void* const user_;
@@ -269,9 +276,14 @@ class Worker {
     if (request_.given.fn && progress_.stopped() == RC_OK) {
       rc_result result = result_with(outputs);
       rc::write(numbers, system(), result);
-      if (request_.given.fn(i, k, &result, request_.given.user) != 0) progress_.stop_by("rc_batch.fn ended the batch");
+      if (shown(i, k, result) != 0) progress_.stop_by("rc_batch.fn ended the batch");
     }
     progress_.add(1);
+  }
+
+  std::int32_t shown(std::int64_t i, std::int64_t k, const rc_result& result) const {
+    const HostsTurn turn;
+    return request_.given.fn(i, k, &result, request_.given.user);
   }
 
   Outputs outputs(std::int64_t i) {
@@ -313,6 +325,7 @@ class Helpers {
   // Starts `count` helpers, or as many as the system allows.
   template <class Body> Helpers(std::int64_t count, Progress& progress, const Body& body) : progress_(progress) {
     threads_.reserve(static_cast<std::size_t>(count));
+    const rc_platform::SignalsBlocked helpers_take_no_signals;
     try {
       for (std::int64_t i = 0; i < count; ++i) threads_.emplace_back(body);
     } catch (const std::system_error&) {
@@ -362,10 +375,12 @@ BatchOutcome solve_batch(const rc_system& system, const rc_options& options, con
   const std::optional<ManySolve> many = ManySolve::of(first->problem(), request.given, threads);
   const ManySolve* const shared = many ? &*many : nullptr;
   Worker own(std::move(first), request, progress, shared);
-  Helpers helpers(threads - 1, progress, [&] {
+  Helpers helpers(threads - 1, progress, [&, flag = stop_flag<ContactLibrary>] {
+    stop_flag<ContactLibrary> = flag;
     try {
       Worker(contact(), request, progress, shared).work();
     } catch (const Cancelled&) {
+      progress.stop(RC_STOP_CANCELLED);
       throw;
     } catch (...) {
       // No memory for its contact: the others do its share.

@@ -7,6 +7,7 @@
 
 #include "contact/calls/step_outputs.h"
 #include "core/error.h"
+#include "core/host_call.h"
 
 namespace rc {
 
@@ -37,6 +38,11 @@ rc_step history_step(const rc_history& history, std::int64_t i) {
 
 std::string where(const rc_history& history, std::int64_t i) {
   return join("step ", i, ", targets[", i, "] = ", history.targets[i]);
+}
+
+std::int32_t shown(const rc_history& history, std::int64_t i, const rc_result& result) {
+  const HostsTurn turn;
+  return history.fn(i, &result, history.user);
 }
 
 // While it lives, each step is asked for what the history wants.
@@ -108,7 +114,7 @@ rc_status solve_history(Contact& contact, const rc_history& history, const Histo
     if (!history.fn) continue;
     rc_result result = result_with({outputs.p, wants.shown_gap ? outputs.gap : OutputArray()});
     write(numbers, contact.problem().system, result);
-    if (history.fn(i, &result, history.user) != 0) {
+    if (shown(history, i, result) != 0) {
       set_message(where(history, i).c_str(), "rc_history.fn ended the history after this step");
       return RC_STOP_CANCELLED;
     }

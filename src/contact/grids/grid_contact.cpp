@@ -1,6 +1,7 @@
 #include "contact/grids/grid_contact.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <new>
 #include <utility>
@@ -123,7 +124,8 @@ Numbers GridContact::certify(const rc_step& step, const Outputs& outputs, std::o
   if (!compression) check_pressures(step, outputs, problem_);
   const Step begun = begin(step);
   const Rest after(problem_);
-  Monitor once(watcher_.cancelled, {}, 0, 1, problem_.operators().spent());
+  const std::atomic<bool> never{false};  // a cancellation is meant for a step
+  Monitor once(never, {}, 0, 1, problem_.operators().spent());
   Attempt attempt{once};
   Finished finished = certify_given(problem_, begun, attempt, outputs, compression);
   if (compression && problem_.goal.leaves_indentation) overlap_ = std::move(finished.overlap);

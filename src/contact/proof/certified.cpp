@@ -55,8 +55,16 @@ std::string note_of(const GridProblem& problem, const Numbers& numbers, double c
   return note;
 }
 
-Stiffness wanted_stiffness(const GridProblem& problem, const Answer& answer) {
-  return problem.options.integer(RC_OPT_STIFFNESS) != 0 ? stiffness(problem, answer) : Stiffness{};
+// What the solves for the stiffness ask before each product. A time limit does not end them.
+rc_status cancelled(const GridProblem& problem, const Attempt& attempt) {
+  return problem.company().stop().value_or(attempt.monitor.cancelled() ? RC_STOP_CANCELLED : RC_OK);
+}
+
+Stiffness wanted_stiffness(const GridProblem& problem, const Answer& answer, const Attempt& attempt) {
+  if (problem.options.integer(RC_OPT_STIFFNESS) == 0) return {};
+  std::optional<Operator::Watch> watch;
+  if (answer.op) watch.emplace(*answer.op, [&] { return cancelled(problem, attempt); });
+  return stiffness(problem, answer);
 }
 
 // The operator whose products certify, for the trial set of the one that solved.
@@ -148,15 +156,19 @@ Totals totals_of(const GridProblem& problem, const Deflected& answer, const Surv
 // Answers, message and arrays. rate: the stiffness, if the answer has given its pressures away.
 Numbers finished(const GridProblem& problem, const Step& step, const Answer& answer, const Deflected& found, double depth,
                  std::optional<Stiffness> rate, Attempt& attempt, const Outputs& outputs) {
-  if (!rate) rate = wanted_stiffness(problem, answer);
+  if (!rate) rate = wanted_stiffness(problem, answer, attempt);
   std::optional<ProvenSets> proven;
   Numbers numbers = certified_numbers(problem, step, answer, found, depth, rate->value, attempt, &proven);
   if (proven) {
     Operator* const op = proving(problem, answer, proven->possible, attempt);
+    std::optional<Operator::Watch> watch;
+    if (op) watch.emplace(*op, [&] { return cancelled(problem, attempt); });
     prove_interval(problem, op, proven->contacts, proven->possible, *rate);
   }
   numbers.stiffness = *rate;
   if (numbers.status != RC_OK && answer.status != RC_OK) numbers.status = answer.status;
+  const bool left_out = problem.options.integer(RC_OPT_STIFFNESS) != 0 && cancelled(problem, attempt) == RC_STOP_CANCELLED;
+  if (numbers.status == RC_OK && left_out) numbers.status = RC_STOP_CANCELLED;  // its stiffness
   numbers.work = work_of(problem, attempt.monitor);
   if (numbers.status != RC_OK) set_message(explain(numbers, attempt.remarks).c_str());
   write_arrays(problem, found, depth, outputs);
@@ -326,7 +338,7 @@ Overlap overlap_of(const GridProblem& problem, const Deflected& found, double co
 
 Finished certified_result(const GridProblem& problem, const Step& step, Answer&& answer, Attempt& attempt,
                           const Outputs& outputs) {
-  Stiffness rate = wanted_stiffness(problem, answer);
+  Stiffness rate = wanted_stiffness(problem, answer, attempt);
   Deflected found = deflected(problem, answer, outputs.gap.wanted());
   // After a stop the approach is made to fit the pressures, but not if points were screened: that holds for one approach.
   const bool by_load = step.target.by_load(), stopped = by_load && answer.status != RC_OK && !answer.checked;

@@ -9,7 +9,6 @@
 #include <atomic>
 #include <csignal>
 #include <memory>
-#include <thread>
 
 #include "platform/windows/text.h"
 
@@ -70,15 +69,6 @@ void when_asked_to_end(void (*handler)(int)) {
 void end_by(int number) {
   std::signal(number, SIG_DFL);
   std::raise(number);
-}
-
-int usable_cores() {
-  DWORD_PTR process = 0, machine = 0;
-  if (!GetProcessAffinityMask(GetCurrentProcess(), &process, &machine) || process == 0)
-    return static_cast<int>(std::thread::hardware_concurrency());
-  int cores = 0;
-  for (; process != 0; process &= process - 1) ++cores;
-  return cores;
 }
 
 }  // namespace rc_platform

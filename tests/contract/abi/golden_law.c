@@ -18,7 +18,7 @@ VALUE(RC_LAW_ABAQUS, 3);
 VALUE(RC_LAW_MOOSE, 4);
 VALUE(RC_LAW_TABLE, 5);
 
-SIZE(rc_law_spec, 88);
+SIZE(rc_law_spec, 104);
 AT(rc_law_spec, struct_size, 0);
 AT(rc_law_spec, undeformed_gap, 8);
 AT(rc_law_spec, mask, 16);
@@ -31,6 +31,8 @@ AT(rc_law_spec, bulk, 64);
 AT(rc_law_spec, reserved, 68);
 AT(rc_law_spec, bulk_stiffness, 72);
 AT(rc_law_spec, max_nodes, 80);
+AT(rc_law_spec, progress, 88);
+AT(rc_law_spec, user, 96);
 
 SIZE(rc_law_info, 144);
 AT(rc_law_info, struct_size, 0);

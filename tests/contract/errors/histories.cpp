@@ -171,7 +171,8 @@ Section paths() {
                          })},
               {"path's `fn` cancels the contact",
                RC_STOP_CANCELLED,
-               {"rc_contact_solve_history: step 2, targets[2] = 0.55: stopped by the progress callback or rc_contact_cancel"},
+               {"rc_contact_solve_history: step 2, targets[2] = 0.55: stopped by the progress callback, rc_contact_cancel or "
+                "rc_stop_when"},
                [] {
                  History history;
                  const ContactHandle contact = made(history.scene);

@@ -57,6 +57,24 @@ def test_contact_can_be_used_afterwards(large):
         assert contact.solve(approach=1.0, check=False).status in (rc.Status.STOP_MAX_ITER, rc.Status.OK)
 
 
+def test_it_ends_one_call_only(half_space, sphere_gap):
+    """However late in the call, or just after it, the handler raises."""
+    with rc.Contact(half_space) as contact:
+        begun = time.monotonic()
+        contact.solve(undeformed_gap=sphere_gap, approach=3e-7)
+        length = time.monotonic() - begun
+        before = signal.signal(signal.SIGALRM, signal.default_int_handler)
+        for share in np.linspace(0.1, 1.5, 30):
+            try:
+                signal.setitimer(signal.ITIMER_REAL, share * length)
+                contact.solve(undeformed_gap=sphere_gap, approach=3e-7, warm_start=False)
+                time.sleep(length)
+            except KeyboardInterrupt:
+                pass
+            assert contact.solve(approach=2e-7, warm_start=False).certified
+        signal.signal(signal.SIGALRM, before)
+
+
 def test_path_keeps_its_steps(large):
     with pytest.raises(rc.Interrupted) as caught:
         rc.history(large, modulus=1.0, boundary="free", load=np.tile([1e3, 2e3], 5000), each=lambda k, result: press() if k == 2 else None)

@@ -1,4 +1,4 @@
-"""Who owns what: handles are not copied, arrays outlive calls, and what is asked of a contact is not forgotten."""
+"""Who owns what: handles are not copied, and arrays outlive calls."""
 
 import copy
 import pickle
@@ -28,18 +28,6 @@ def test_a_product_may_keep_what_it_is_given(small_matrix):
 
     rc.solve(undeformed_gap=np.linspace(0, 2, 12), approach=1.5, system=rc.Product(apply, 12, pitch=1))
     assert [x.sum() for x in kept] == sums and all(x.base is None or x.base.base is None for x in kept)
-
-
-@pytest.mark.parametrize("between", ["certify", "nothing"])
-def test_a_late_cancel_is_not_forgotten(half_space, sphere_gap, between):
-    """One that came just after its call had ended must not stop the next solve, whatever is called between."""
-    with rc.Contact(half_space) as contact:
-        answer = contact.solve(undeformed_gap=sphere_gap, approach=3e-7)
-        contact.cancel()
-        contact._late_cancel = True
-        if between == "certify":
-            contact.certify(answer.pressure, undeformed_gap=sphere_gap, approach=3e-7)
-        assert contact.solve(approach=2e-7, warm_start=False).certified
 
 
 def unaligned(array):

@@ -10,7 +10,7 @@ import pytest
 from conftest import refused
 
 import roughcontact as rc
-from roughcontact._threads import with_threads
+from roughcontact._threads import usable_cores, with_threads
 
 LONG = {"solver": "gp", "tol": 1e-14, "max_iter": 10**9}
 
@@ -100,6 +100,12 @@ def test_every_core_is_used_where_it_pays(monkeypatch):
     assert with_threads(None, large) == {"threads": 2}
     cores(monkeypatch, 3, OMP_NUM_THREADS="2", OMP_THREAD_LIMIT="1")
     assert with_threads(None, large) == {"threads": 1}
+    for text in ("2,1", " 2 ", "\t2", "2 , 7", "+2"):
+        cores(monkeypatch, 3, OMP_NUM_THREADS=text)
+        assert usable_cores() == 2, text
+    for rubbish in ("", " ", "0", "-1", "abc", "1.0", "²", "2,x", "2,", ",2", "2 2", "1e0", "0x1", "99999999999999999999"):
+        cores(monkeypatch, 3, OMP_NUM_THREADS=rubbish)
+        assert usable_cores() == 3, rubbish
 
 
 def test_the_number_of_cores_does_not_change_the_bits(monkeypatch):
