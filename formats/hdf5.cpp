@@ -175,11 +175,12 @@ Surface read_data_set(std::string_view file, double unit) {
   constexpr std::string_view no_memory = "libhdf5 gives no memory";
   const Hdf5Handle access{H5Pcreate(H5P_FILE_ACCESS), H5Pclose, no_memory};
   std::string image{file};  // libhdf5 declares it as writable
-  if (H5Pset_fclose_degree(access, H5F_CLOSE_STRONG) < 0 || H5Pset_fapl_core(access, 1 << 16, false) < 0 || H5Pset_file_image(access, image.data(), image.size()) < 0)
+  if (H5Pset_fapl_core(access, 1 << 16, false) < 0 || H5Pset_file_image(access, image.data(), image.size()) < 0)
     throw Error(no_memory);
   const Hdf5Handle opened{H5Fopen("surface", H5F_ACC_RDONLY, access), H5Fclose};
   check_hdf5_link(opened);
-  const Hdf5Handle set{H5Dopen2(opened, "surface", H5P_DEFAULT), H5Dclose, "\"surface\" is no data set, or the HDF5 file is damaged"};
+  const Hdf5Handle set{H5Dopen2(opened, "surface", H5P_DEFAULT), H5Dclose,
+                       "\"surface\" is no data set, or the HDF5 file is damaged"};
   const Hdf5Handle creation{H5Dget_create_plist(set), H5Pclose};
   check_hdf5_layout(creation);
   const Hdf5Handle type{H5Dget_type(set), H5Tclose}, space{H5Dget_space(set), H5Sclose};
