@@ -135,14 +135,19 @@ std::size_t inflated_size(std::vector<unsigned char>& packed, std::size_t most) 
 // libhdf5 takes the memory for whole chunks, and for whatever their streams unpack to.
 void check_hdf5_chunks(hid_t set, hid_t creation, const Surface& surface, std::size_t bytes_per_number, std::size_t file_size) {
   constexpr std::size_t checksum_size = 4;
+  constexpr std::size_t few_chunks = 1 << 16,
+                        bytes_per_chunk = 16;  // what is stored of one takes more; looking for one takes long
   const auto filters = filters_of(creation, "the data set \"surface\"");
   hsize_t chunk[2] = {0, 0};
   hdf5_check(H5Pget_chunk(creation, 2, chunk) == 2 && chunk[0] > 0 && chunk[1] > 0);
-  const auto rounded_up = [](std::int64_t points, hsize_t step) {
-    const auto whole = static_cast<std::int64_t>(step);
-    return (points + whole - 1) / whole * whole;
-  };
-  packed_data_size(rounded_up(surface.nx, chunk[0]), rounded_up(surface.ny, chunk[1]), bytes_per_number, file_size);
+  const auto chunks_along = [](std::int64_t points, hsize_t step) { return (points - 1) / static_cast<std::int64_t>(step) + 1; };
+  const std::int64_t along_x = chunks_along(surface.nx, chunk[0]), along_y = chunks_along(surface.ny, chunk[1]);
+  packed_data_size(along_x * static_cast<std::int64_t>(chunk[0]), along_y * static_cast<std::int64_t>(chunk[1]), bytes_per_number,
+                   file_size);
+  const std::size_t most = few_chunks + file_size / bytes_per_chunk;
+  if (const auto chunks = static_cast<std::size_t>(along_x * along_y); chunks > most)
+    throw Error("the data set \"surface\" has ", chunks, " chunks, more than the ", most, " that are read of a file of ",
+                file_size, " bytes; write the file anew with \"h5repack -l CONTI\"");
   const std::size_t size = chunk[0] * chunk[1] * bytes_per_number;
 
   std::vector<unsigned char> stored;

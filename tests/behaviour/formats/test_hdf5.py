@@ -114,6 +114,7 @@ class Hdf5(ReaderTest):
         self.assert_refused("a.h5", never((2, 2), (1 << 14, 1 << 14)), "16384 x 16384 points")
         self.assert_refused("a.h5", never((2000, 1), (1, 1 << 12)), "2000 x 4096 points")  # all of them unpacked for a column
 
+        self.assert_refused("a.h5", never((2000, 2000), (1, 1)), ["has 4000000 chunks", "more than the"])  # minutes to look for them
         self.assert_refused("a.h5", self.made(lambda file: file.create_dataset("surface", (7, 11), "f8")), "has 0 bytes, not 8 for each")
         for layout in (h5py.h5d.COMPACT, h5py.h5d.CONTIGUOUS):
             whole = self.made(lambda file: self.laid_out(file, bumps(), layout))
