@@ -109,4 +109,8 @@ const Format& recognised_format(std::string_view file, std::string_view extensio
   throw Error("unknown format, readable are ", known, "; give the format if it is one of them");
 }
 
+#ifndef RC_READ_HDF5
+void silence_hdf5() {}
+#endif
+
 }  // namespace rc::formats

@@ -26,4 +26,8 @@ const Format& named_format(std::string_view name);
 // The format by contents, or else by extension (".gsf", lower case). Throws an Error that lists the formats if neither is known.
 const Format& recognised_format(std::string_view file, std::string_view extension);
 
+// For a program whose only use of libhdf5 is these readers: libhdf5 prints nothing more, not even when the program ends, as it
+// does after some damaged files.
+void silence_hdf5();
+
 }  // namespace rc::formats

@@ -55,6 +55,7 @@ Session::Factor Session::analyze(cholmod_sparse& A) {
 
 bool Session::factorize(cholmod_sparse& A, double shift, cholmod_factor& L) {
   const OneThread one;
+  require_blas_workspace();
   double beta[2] = {shift, 0.0};
   cholmod_factorize_p(&A, beta, nullptr, 0, &L, &common_);
   check();

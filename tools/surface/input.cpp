@@ -50,13 +50,22 @@ void settle_missing(MissingRule rule, bool can_exclude, SurfaceInput& input) {
   }
 }
 
+Surface read_file(const std::string& path, double unit, const std::optional<std::string>& format = std::nullopt) {
+  try {
+    return read_surface(rc_platform::path_of(path), unit, format);
+  } catch (...) {
+    silence_hdf5();
+    throw;
+  }
+}
+
 // Adds the heights of the other body, which face those of the surface at the same points.
 void add_other(const SurfaceArguments& arguments, double unit, SurfaceInput& input) {
   constexpr double same_pitch = 1e-6;  // relative; files round it
   if (!arguments.against) return;
   input.against = *arguments.against;
   Surface& surface = input.surface;
-  const Surface other = read_surface(rc_platform::path_of(input.against), unit);
+  const Surface other = read_file(input.against, unit);
   if (!other.note.empty()) input.notes.push_back("note: " + other.note);
   const double hx = other.hx.value_or(*surface.hx), hy = other.hy.value_or(*surface.hy);
   const auto near = [](double a, double b) { return std::abs(a - b) <= same_pitch * b; };
@@ -104,7 +113,7 @@ SurfaceInput read_input(const SurfaceArguments& arguments, bool can_exclude) {
   input.shape = arguments.shape.value_or("");
 
   input.file = arguments.file;
-  input.surface = read_surface(rc_platform::path_of(input.file), unit, arguments.format);
+  input.surface = read_file(input.file, unit, arguments.format);
   const auto note = [&input](const std::string& text) {
     if (!text.empty()) input.notes.push_back("note: " + text);
   };

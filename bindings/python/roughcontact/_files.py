@@ -3,7 +3,6 @@
 import importlib
 import io
 import os
-import pathlib
 from dataclasses import dataclass
 from typing import IO, Any, List, Optional, Tuple, Union, cast
 
@@ -94,12 +93,10 @@ def surface_in(
     try:
         check_formats(status)
     except ArgumentError as error:
-        known = formats()
-        if format is None:
-            mine = pathlib.Path(name).suffix.lower() in {suffix for each in known for suffix in each.suffixes}
-        else:
-            mine = format in {each.name for each in known}
-        if mine and PACKAGE not in str(error):
+        # What another package reads is no file that is refused here: its readers may follow what a file names.
+        text = str(error).replace(name, "") if name else str(error)
+        unknown = "unknown format" in text or PACKAGE in text
+        if not unknown and (format is None or format in {each.name for each in formats()}):
             raise
         source = name if contents is None else io.BytesIO(contents)
         return _read_by_surface_topography(source, name, pitch, unit, format, otherwise, error)

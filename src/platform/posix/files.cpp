@@ -21,8 +21,7 @@ namespace {
 bool still_there(int descriptor, const fs::path& path) {
   struct stat locked {
   }, named{};
-  return fstat(descriptor, &locked) == 0 && stat(path.c_str(), &named) == 0 && locked.st_ino == named.st_ino &&
-         locked.st_dev == named.st_dev;
+  return fstat(descriptor, &locked) == 0 && stat(path.c_str(), &named) == 0 && same_file(locked, named);
 }
 
 std::string number_in(int descriptor) {

@@ -10,7 +10,9 @@
 #include <climits>
 #include <cstring>
 #include <memory>
+#include <utility>
 
+#include "platform/posix/rights.h"
 #include "platform/posix/system.h"
 
 namespace rc_platform {
@@ -31,25 +33,13 @@ struct File {
   }
 };
 
-// The reason to refuse a file that others can write to; "" if only its owner can.
-std::string distrust(const struct stat& info, const std::string& path) {
-  if (info.st_mode & S_IWOTH) return "plugin refused: " + path + " is world-writable; chmod o-w it";
-  if (info.st_uid != 0 && info.st_uid != geteuid())
-    return "plugin refused: " + path + " is owned by user " + std::to_string(info.st_uid) +
-           ", neither root nor the current user " + std::to_string(geteuid());
-  return {};
-}
-
-// Why a plugin's file is not opened; "" if nothing speaks against it.
-std::string obstacle(const std::string& path) {
-  struct stat info {};
-  const std::string directory = path.substr(0, path.rfind('/'));
-  if (stat(directory.c_str(), &info) != 0) return "plugin directory " + directory + ": " + std::strerror(errno);
-  if (std::string reason = distrust(info, directory); !reason.empty()) return reason;
-  const File file{open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};  // a pipe of that name must not block
+// Why a plugin's file is not loaded; "" if nothing speaks against it. Opens it.
+std::string obstacle(const std::string& path, File& file, struct stat& info) {
+  if (std::string reason = distrust(path); !reason.empty()) return reason;
+  file.number = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);  // a pipe of that name must not block
   if (file.number < 0) return "plugin " + path + " cannot be opened: " + std::strerror(errno);
   if (fstat(file.number, &info) != 0 || !S_ISREG(info.st_mode)) return "plugin refused: " + path + " is not a regular file";
-  if (std::string reason = distrust(info, path); !reason.empty()) return reason;
+  if (std::string reason = distrust(path, info); !reason.empty()) return reason;
   if (std::string reason = flaw(file.number, info.st_size, path); !reason.empty()) return reason;
   if (!loads_plugins())
     return "plugin " + path +
@@ -81,13 +71,23 @@ std::vector<std::string> names_in(const std::string& folder) {
   return names;
 }
 
+// By its path: under the name of an open file (/proc/self/fd), $ORIGIN would lead elsewhere, and the loader would take the next
+// plugin with that number for this one. The file stays open, so that another one cannot have its number.
 OpenedPlugin open_plugin(const std::string& path) {
-  OpenedPlugin opened{nullptr, obstacle(path)};
+  File file{-1};
+  struct stat checked {
+  }, loaded{};
+  OpenedPlugin opened{nullptr, obstacle(path, file, checked)};
   if (!opened.error.empty()) return opened;
-  // Never closed. RTLD_NODELETE would also keep what dlopen began and gave up for lack of memory, where exceptions end the
-  // program.
+  // Never closed. RTLD_NODELETE would also keep what dlopen began and gave up for lack of memory, where exceptions end
+  // the program.
   opened.code = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (!opened.code) opened.error = "plugin " + path + " cannot be loaded: " + dlerror();
+  if (!opened.code) {
+    opened.error = "plugin " + path + " cannot be loaded: " + dlerror();
+  } else if (stat(path.c_str(), &loaded) != 0 || !same_file(checked, loaded)) {
+    dlclose(std::exchange(opened.code, nullptr));  // else the next attempt would find it loaded under this name
+    opened.error = "plugin refused: " + path + " was replaced while it was loaded; try again";
+  }
   return opened;
 }
 

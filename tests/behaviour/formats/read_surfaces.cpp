@@ -2,6 +2,9 @@
 // library, from their path and from memory, and prints one line for each, "ok FORMAT NX NY HX HY MISSING RMS ASSUMED" or "error
 // MESSAGE". --heights writes those of the last as raw doubles. A crash ends it, so that many damaged files can be tried in one
 // process.
+#ifdef RC_READ_HDF5
+#include <hdf5.h>
+#endif
 #include <roughcontact/formats.h>
 
 #include <cmath>
@@ -103,6 +106,9 @@ std::int32_t form_named(std::string_view name) {
 }  // namespace
 
 int main(int argc, char** argv) {
+#ifdef RC_READ_HDF5
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // else libhdf5 prints at the end of a program that has read some damaged files
+#endif
   Settings settings;
   for (int i = 1; i < argc; ++i) {
     const std::string_view word = argv[i];

@@ -32,7 +32,9 @@ def samples():
     z, gaps = bumps(), bumps(missing=4)
     rows = [" ".join("%.9g" % v for v in row) for row in gaps]
     xyz = "".join("%g %g %.9g\n" % (ix * HX, iy * HY, z[iy, ix]) for iy in range(z.shape[0]) for ix in range(z.shape[1]))
-    return [
+    packed = {"chunks": (3, 4), "compression": "gzip", "shuffle": True, "fletcher32": True}
+    containers = [("a.h5", writers.hdf5(z)), ("b.h5", writers.hdf5(z, "latest")), ("c.h5", writers.hdf5(z, **packed)), ("d.h5", writers.hdf5(z, "latest", **packed))]
+    return [sample for sample in containers if sample[1]] + [
         ("a.gsf", gsf(z, HX, HY, "XYUnits = m\nZUnits = m\n")), ("a.npy", npy(z)), ("a.txt", ("# Width: 8 um\n" + "\n".join(rows)).encode()),
         ("b.txt", ("h=7 w=11\npixel size=2e-006 m\ndata unit=rad\nheight conversion factor (-> m)=1e-9\n" + "\n".join(rows)).encode()), ("a.xyz", xyz.encode()),
         ("a.x3p", writers.x3p(gaps, HX, HY)), ("b.x3p", writers.x3p(gaps, HX, HY, "I", 1e-9, valid_bits=True, method=writers.zipfile.ZIP_STORED)),
@@ -48,7 +50,7 @@ def samples():
 def boundaries(data):
     """Where parts of the formats' headers begin and end, besides every length up to the first numbers."""
     fixed = [12, 20, 80, 81, 98, 120, 132, 276, 288, 334, 338, 388, 404, 428, 448, 500, 504, 508, 511, 512, 516]
-    signatures = [at + d for mark in (b"PK\1\2", b"PK\3\4", b"PK\5\6", b"\n*\n", b"CDF", b"</", b"heights", b"\n") for at in positions(data, mark) for d in (0, len(mark))]
+    signatures = [at + d for mark in (b"PK\1\2", b"PK\3\4", b"PK\5\6", b"\n*\n", b"CDF", b"</", b"heights", b"surface", b"TREE", b"OHDR", b"\n") for at in positions(data, mark) for d in (0, len(mark))]
     return sorted({at for at in fixed + signatures + list(range(130)) + [len(data) - d for d in range(1, 40)] if 0 <= at < len(data)})
 
 
@@ -132,8 +134,8 @@ class Damaged(ReaderTest):
 
     def test_garbage(self):
         chance = random.Random(7)
-        magics = [b"", b"Gwyddion Simple Field 1.0\n", b"\x93NUMPY\1\0", b"PK\3\4", b"DIGITAL SURF", b"DSCOMPRESSED", b"aISO-1.0\n", b"bISO-1.0", b"CDF\1", b"CDF\2", b"CDF\5"]
-        extensions = ["gsf", "npy", "txt", "xyz", "x3p", "sur", "sdf", "plu", "nc", "zip"]
+        magics = [b"", b"Gwyddion Simple Field 1.0\n", b"\x93NUMPY\1\0", b"PK\3\4", b"DIGITAL SURF", b"DSCOMPRESSED", b"aISO-1.0\n", b"bISO-1.0", b"CDF\1", b"CDF\2", b"CDF\5", b"\x89HDF\r\n\x1a\n"]
+        extensions = ["gsf", "npy", "txt", "xyz", "x3p", "sur", "sdf", "plu", "nc", "zip", "h5"]
         files = [("g." + extension, magic + chance.randbytes(chance.choice([0, 1, 30, 600]))) for magic in magics for extension in extensions for _ in range(4)]
         self.results(files)
 

@@ -272,6 +272,22 @@ class WrongHeaders(ReaderTest):
         short = xml().replace("</PointDataLink>", "</PointDataLink><ValidPointsLink>v.bin</ValidPointsLink>")
         self.assert_refused("a.x3p", writers.zip_of({"main.xml": short, "d.bin": data, "v.bin": b"\xff" * 9}), "bits of valid points")
 
+    def test_x3p_that_names_other_files(self):
+        """Data is read of the archive alone, and entities of XML stay as they are."""
+        secret = self.folder / self.file("secret", bytes(32))
+        for link in (str(secret), "secret", "../secret", "/proc/self/cwd/secret", "file://%s" % secret, "..\\secret"):
+            for name in ("PointDataLink", "ValidPointsLink"):
+                data = "<DataLink><PointDataLink>d.bin</PointDataLink></DataLink>".replace("</DataLink>", "<%s>%s</%s></DataLink>" % (name, link, name))
+                data = data.replace("<PointDataLink>d.bin</PointDataLink>", "") if name == "PointDataLink" else data
+                file = writers.zip_of({"main.xml": writers.x3p_xml(2, 2, 1e-6, 1e-6, data=data), "d.bin": bytes(32)})
+                self.assert_refused("a.x3p", file, "which is not in the archive")
+        listed = "<DataList>%s</DataList>" % ("<Datum>1</Datum>" * 4)
+        (self.folder / "number").write_text("2")
+        for entity in ('SYSTEM "file://%s/number"' % self.folder, 'SYSTEM "number"', '"2"'):
+            xml = writers.x3p_xml(2, 2, 1e-6, 1e-6, data=listed).replace("<SizeX>2<", "<SizeX>&e;<")
+            xml = xml.replace("?>\n", "?>\n<!DOCTYPE x [<!ENTITY e %s>]>\n" % entity, 1)
+            self.assert_refused("a.x3p", writers.zip_of({"main.xml": xml}), ["SizeX", '"&e;"'])
+
     def test_zip_archives(self):
         good = writers.x3p(bumps(), HX, HY)
         directory = good.rindex(b"PK\1\2")  # of main.xml

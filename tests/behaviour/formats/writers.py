@@ -152,3 +152,15 @@ def contact_engineering(z, hx, hy, unit="m", version=2, periodic=0, kind="f8", h
     return netcdf({"heights": (("x", "y"), (z.T if heights is None else heights).astype(kind), {**own, **(height_attributes or {})}),
                    "x": (("x",), np.arange(nx) * hx, lateral(nx, hx)), "y": (("y",), np.arange(ny) * hy, lateral(ny, hy))},
                   {"x": nx, "y": ny}, version)
+
+
+def hdf5(z, version="earliest", **how):
+    """A data set "surface" by h5py, None if that is not installed. how: as its create_dataset takes them."""
+    try:
+        import h5py
+    except ImportError:
+        return None
+    with io.BytesIO() as stream:
+        with h5py.File(stream, "w", libver=version) as file:
+            file.create_dataset("surface", data=z.T, **how)
+        return stream.getvalue()

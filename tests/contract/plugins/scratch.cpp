@@ -30,7 +30,8 @@ std::string Scratch::put(const std::vector<std::string>& fixtures) const {
 }
 
 std::string Scratch::put_as(const std::string& fixture, const std::string& file) const {
-  fs::copy_file(std::string(RC_FIXTURE_DIRECTORY) + "/rcb_" + fixture + RC_PLUGIN_SUFFIX, file);
+  static const std::string fixtures = RC_FIXTURE_DIRECTORY;
+  fs::copy_file(fixtures + "/rcb_" + fixture + RC_PLUGIN_SUFFIX, file);
   support::let_owner_alone_write(file);
   return file;
 }

@@ -200,3 +200,8 @@ def test_files_of_other_instruments_with_a_suffix_of_ours_are_handed_over(tmp_pa
     (tmp_path / "b.dat").write_text("1 2\n3\n")
     refused(rc.ArgumentError, "row 2 has 1 values", rc.read, tmp_path / "b.dat")
     assert asked == [str(path)]  # our own formats are not
+    for name in ("c.sur", "c.opd", "SurfaceTopography.opd"):  # whatever they are called
+        (tmp_path / name).write_bytes(b"DIGITAL SURF" + bytes(20))
+        refused(rc.ArgumentError, "the header of 512 bytes", rc.read, tmp_path / name)
+    refused(rc.ArgumentError, "the header of 512 bytes", rc.read, b"DIGITAL SURF" + bytes(20))
+    assert asked == [str(path)]

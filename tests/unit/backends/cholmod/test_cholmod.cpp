@@ -1,19 +1,35 @@
-// Near field, limits and rows added and deleted in the cholmod backend.
+// Near field, limits and rows added and deleted in the cholmod backend, and what it asks of the BLAS.
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <numeric>
 #include <random>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include "common/products.h"
 #include "conjugate_gradients.h"
 #include "failure.h"
 #include "fixtures.h"
 #include "near_field.h"
+#include "one_thread.h"
 #include "support/cmocka.hpp"
 #include "working_set.h"
 
 RC_PLUGIN_LINKAGE rc_status rc_builtin_cholmod(const rc_host*, const rc_plugin**);
+
+extern "C" {
+__attribute__((weak)) int omp_get_max_threads(void);
+__attribute__((weak)) void omp_set_num_threads(int);
+__attribute__((weak)) int openblas_get_parallel(void);
+__attribute__((weak)) int openblas_get_num_threads(void);
+__attribute__((weak)) void openblas_set_num_threads(int);
+}
 
 namespace {
 
@@ -234,10 +250,61 @@ void a_near_field_stops_when_it_is_asked_to(void**) {
   assert_true(needed > 8);
 }
 
+// OpenBLAS takes 128 MiB of addresses at its first call, and tries for ever if it does not get them.
+void too_few_addresses_for_the_blas_are_reported(void**) {
+  const pid_t child = fork();
+  if (child == 0) {
+    alarm(30);
+    rlim_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    const rlim_t most = pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + (64 << 20);
+    const rlimit limit{most, most};
+    setrlimit(RLIMIT_AS, &limit);
+    StandInHost host(backend());
+    const rc_system system = contract::halfspace(RC_BOUNDARY_FREE, 12, 12, 1.0, 1.0);
+    const rc_operator_spec spec = contract::spec_of(system, host);
+    const rc_domain domain{sizeof(rc_domain), 144, nullptr, 0.0};
+    void* self = nullptr;
+    Vector x(144, 1.0);
+    if (backend().create(&host, &spec, &self) != RC_OK || backend().bind(self, &domain) != RC_OK) _exit(1);
+    const rc_status status = backend().shifted(self, 1.0, x.data(), x.data());
+    _exit(status == (openblas_get_num_threads ? RC_ERR_MEMORY : RC_OK) ? 0 : 2);
+  }
+  int status = 0;
+  assert_int_equal(waitpid(child, &status, 0), child);
+  assert_int_equal(status, 0);
+}
+
+void the_blas_has_one_thread_meanwhile_and_its_own_number_afterwards(void**) {
+  if (openblas_set_num_threads) openblas_set_num_threads(2);
+  const int blas = openblas_get_num_threads ? openblas_get_num_threads() : 1;
+  if (omp_set_num_threads) omp_set_num_threads(3);
+  const auto assert_threads = [](int of_blas, int of_openmp) {
+    if (openblas_get_num_threads) assert_int_equal(openblas_get_num_threads(), of_blas);
+    if (omp_get_max_threads) assert_int_equal(omp_get_max_threads(), of_openmp);
+  };
+  {
+    const rc_cholmod::OneThread outer;
+    { const rc_cholmod::OneThread inner; }
+    if (omp_get_max_threads) assert_int_equal(omp_get_max_threads(), 1);
+    if (openblas_get_parallel && openblas_get_parallel() == 1) assert_int_equal(openblas_get_num_threads(), 1);
+  }
+  assert_threads(blas, 3);
+  std::vector<std::thread> threads;
+  for (int k = 0; k < 4; ++k)
+    threads.emplace_back([] {
+      for (int i = 0; i < 500; ++i) const rc_cholmod::OneThread one;
+    });
+  for (std::thread& thread : threads) thread.join();
+  assert_threads(blas, 3);
+}
+
 }  // namespace
 
 int main() {
   const CMUnitTest tests[] = {
+      cmocka_unit_test(too_few_addresses_for_the_blas_are_reported),  // first: the BLAS keeps what it has
+      cmocka_unit_test(the_blas_has_one_thread_meanwhile_and_its_own_number_afterwards),
       cmocka_unit_test(near_field_solves_the_whole_system),
       cmocka_unit_test(near_field_saves_iterations),
       cmocka_unit_test(near_field_works_where_a_full_factor_does_not_fit),
