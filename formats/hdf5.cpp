@@ -31,7 +31,7 @@ class Hdf5Handle {
 
 }  // namespace
 
-Surface read_hdf5(std::string_view file, double unit) {
+Surface read_hdf5(std::string_view file, const BareUnit& unit) {
   constexpr std::string_view damaged = "the HDF5 file is damaged";
   static std::mutex one_at_a_time;  // libhdf5 need not be built for threads
   const std::lock_guard lock{one_at_a_time};
@@ -59,11 +59,11 @@ Surface read_hdf5(std::string_view file, double unit) {
   const auto count = packed_data_size(surface.nx, surface.ny, sizeof(double), file.size()) / sizeof(double);
   std::vector<double> along_y(count);
   if (H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, along_y.data()) < 0) throw Error(damaged);
+  const double metres = file_unit(surface, "heights", "", unit);
   surface.heights.reserve(count);
   for (std::int64_t iy = 0; iy < surface.ny; ++iy)
     for (std::int64_t ix = 0; ix < surface.nx; ++ix)
-      surface.heights.push_back(unit * along_y[static_cast<std::size_t>(ix * surface.ny + iy)]);
-  surface.names_unit = false;
+      surface.heights.push_back(metres * along_y[static_cast<std::size_t>(ix * surface.ny + iy)]);
   return surface;
 }
 
