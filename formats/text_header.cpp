@@ -143,6 +143,8 @@ std::optional<Split> at_separator(std::string_view line) {
   return Split{trimmed(line.substr(0, at)), trimmed(line.substr(at + (at == wide_at ? wide.size() : 1)))};
 }
 
+bool begins_with_digit(std::string_view text) { return text.find_first_of("0123456789") == 0; }
+
 // "ncols 512" of ESRI's grids, "Width;10 um" of tables.
 std::optional<Split> at_first_gap(std::string_view line) {
   const bool table = line.find_first_of(";\t") != line.npos;
@@ -215,13 +217,20 @@ bool TextHeader::read_comment(std::string_view line) {
 }
 
 bool TextHeader::read_line(std::string_view line) {
-  const char first = line.front();
-  if ((first >= '0' && first <= '9') || first == '-' || first == '+' || first == '.') return false;
+  if (std::string_view("0123456789-+.;,").find(line.front()) != line.npos || is_missing_mark(row_fields(line).front()))
+    return false;
   auto pair = at_separator(line);
+  const bool blank = !pair && line.find_first_of(";\t,") == line.npos;
   if (!pair) pair = at_first_gap(line);
-  if (!pair) return listing;
-  const auto [key, unit] = key_of(pair->key);
-  if (!key || ((key->number || key->counts()) && pair->value.find_first_of("0123456789") != 0)) return listing;
+  const auto [key, unit] = pair ? key_of(pair->key) : std::pair<const Key*, std::string_view>{nullptr, ""};
+  const bool takes_number = key && (key->number || key->counts());
+  // Without a separator a value must look like one: "Unit 7" is a title.
+  const auto fits = [&] { return key->role == Role::no_data ? field_number(pair->value) : metres_per(bare_name(pair->value)); };
+  const bool has_value = takes_number ? begins_with_digit(pair->value) : key && (!blank || fits());
+  if (!has_value) {
+    if (listing) read_words(line);
+    return listing;
+  }
   listing |= key->role == Role::kind;
   if (key->counts()) {
     read_counts(std::string(pair->key) + "=" + std::string(pair->value));
@@ -305,6 +314,8 @@ void TextHeader::apply(const BareUnit& unit, Surface& surface) const {
     refuse_two_units(axis, named, all_unit);
     return file_length(join("the pitch along ", axis), length * file_unit(surface, "pitch", named, unit) / points);
   };
+  for (const std::string_view name : {x_unit, y_unit})
+    if (!name.empty() && !metres_per(name)) throw Error("the unit of x or y, ", in_quotes(name), ", is not a length");
   const auto nx = static_cast<double>(surface.nx), ny = static_cast<double>(surface.ny);
   const std::string_view along_y = pixel_y || height ? unit_along_y(unit, surface) : y_unit;
   if (pixel_x) surface.hx = lateral(*pixel_x, {}, x_unit, "x", 1);

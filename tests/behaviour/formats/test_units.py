@@ -51,6 +51,16 @@ class Text(ReaderTest):
                 self.assertEqual("lengths without a unit are taken in m" in done.stderr, assumed, done.stderr)
                 self.assertEqual("lengths without a unit are taken in m" in found["input"]["assumed"], assumed)
 
+    def test_titles_and_listings(self):
+        rows, z = "1 2\n3 4\n", np.array([[1, 2], [3, 4.0]])
+        for title in ("Unit 7 of the laboratory", "Units and more", "Height map of steel", "# Height, forward, 2024", "# Filter (80 um)"):
+            self.assert_reads("a.txt", title + "\n" + rows, z, (None, None), note="names none of its heights")
+        for title in ("Unit um", "Units [um]", "Height / um"):
+            self.assert_reads("a.txt", title + "\n" + rows, z * 1e-6, (None, None), atol=0)
+        nova = "File Format = ASCII\nScale X = 1\nScale Y = 1\nUnit X = um\n"
+        self.assert_reads("a.txt", nova + "Z [nm]\nnan 2\n3 4\n", np.array([[np.nan, 2], [3, 4]]) * 1e-9, (1e-6, 1e-6), atol=0)
+        self.assert_refused("a.txt", "# X [furlong]\n# Z [nm]\n" + rows, '"furlong", is not a length')
+
     def test_exports_as_instruments_write_them(self):
         z = np.array([[1.5, np.nan, 2.5], [0.5, 1.0, 2.0]])
         for text in ("1.5;;2.5\n0.5;1;2\n", "1,5;;2,5;\n0,5;1;2;\n", "1.5\t\t2.5\n0.5\t1\t2\n", "1.5,,2.5\n0.5,1,2\n", "\t1.5\t\t2.5\n\t0.5\t1\t2\n",
