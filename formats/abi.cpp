@@ -38,29 +38,22 @@ template <class Body> rc_status guard(const char* where, const Body& body) {
   });
 }
 
-double unit_of(const rc_surface_read_spec& spec) {
-  if (!spec.unit) return 1;
-  if (const auto metres = metres_per(spec.unit)) return *metres;
-  fail(RC_ERR_ARGUMENT, "unit: ", in_quotes(spec.unit), " is not a length unit, give m, mm, um, nm or pm");
-}
-
 void check_pitch(double hx, double hy) {
   for (const double h : {hx, hy})
     if (!(h > 0) || !std::isfinite(h)) fail(RC_ERR_ARGUMENT, "hx = ", hx, ", hy = ", hy, " must be positive and finite");
 }
 
-// Sentences on what the file leaves open, and on values of the file that the caller has replaced.
-std::string assumptions(const Surface& surface, const rc_surface_read_spec& spec, bool pitch_replaced) {
+// Sentences on what the file leaves open.
+std::string assumptions(const Surface& surface, const BareUnit& unit, bool pitch_given) {
   std::string text;
   const auto add = [&text](const std::string& sentence) {
     if (!sentence.empty()) text += (text.empty() ? "" : "; ") + sentence;
   };
   add(surface.note);
-  if (!surface.names_unit)
-    add(join("lengths without a unit are in ", spec.unit ? spec.unit : "m",
-             spec.unit ? ", as asked for" : ": the file names none"));
-  if (pitch_replaced) add(join("the pitch asked for is used, not ", *surface.hx, " m, ", *surface.hy, " m of the file"));
-  if (!surface.hx && !surface.hy && spec.hx == 0) add("the pitch is not known: the file does not say it");
+  if (const std::string lengths = bare_lengths(surface); !lengths.empty())
+    add(join("lengths without a unit are in ", unit.name,
+             unit.given ? ", as asked for" : ": the file names none of its " + lengths));
+  if (!surface.hx && !surface.hy && !pitch_given) add("the pitch is not known: the file does not say it");
   return text;
 }
 
@@ -75,20 +68,23 @@ template <class Read> void read_into(const rc_surface_read_spec* given, rc_surfa
   const rc_surface_read_spec defaults = RC_SURFACE_READ_SPEC_INIT;
   const rc_surface_read_spec spec = given ? read(given, "rc_surface_read_spec", defaults) : defaults;
   check_size(out, "rc_surface_file");
-  const double unit = unit_of(spec);
+  const BareUnit unit = bare_unit("unit", spec.unit ? std::optional<std::string>(spec.unit) : std::nullopt);
   const bool has_pitch = spec.hx != 0 || spec.hy != 0;
   if (has_pitch) check_pitch(spec.hx, spec.hy);
 
   Surface surface = read_file(unit, spec.format ? std::optional<std::string>(spec.format) : std::optional<std::string>());
+  check_units(unit, {&surface});
+  if (has_pitch) refuse_another_pitch("hx, hy", unit.metres * spec.hx, unit.metres * spec.hy, surface);
   rc_surface_file file = RC_SURFACE_FILE_INIT;
   file.nx = surface.nx;
   file.ny = surface.ny;
-  file.hx = has_pitch ? unit * spec.hx : surface.hx.value_or(0);
-  file.hy = has_pitch ? unit * spec.hy : surface.hy.value_or(0);
+  file.hx = has_pitch ? unit.metres * spec.hx : surface.hx.value_or(0);
+  file.hy = has_pitch ? unit.metres * spec.hy : surface.hy.value_or(0);
   file.missing = count_missing(surface);
   file.periodic = surface.periodic ? *surface.periodic : -1;
   put(surface.format, file.format);
-  put(assumptions(surface, spec, has_pitch && surface.hx && surface.hy), file.assumed);
+  file.unit_assumed = !unit.given && !bare_lengths(surface).empty();
+  put(assumptions(surface, unit, has_pitch), file.assumed);
   auto heights = std::make_unique<std::vector<double>>(std::move(surface.heights));
   file.heights = heights->data();
   file.storage = heights.release();
@@ -125,7 +121,8 @@ const char* rc_surface_read_last_error(void) { return own_message<rc::formats::L
 rc_status rc_surface_read(const char* path, const rc_surface_read_spec* spec, rc_surface_file* out) {
   return rc::formats::guard("rc_surface_read", [&] {
     if (!path) fail(RC_ERR_ARGUMENT, "path is null");
-    read_into(spec, out, [&](double unit, const auto& format) { return read_surface(rc_platform::path_of(path), unit, format); });
+    read_into(spec, out,
+              [&](const BareUnit& unit, const auto& format) { return read_surface(rc_platform::path_of(path), unit, format); });
   });
 }
 
@@ -134,7 +131,7 @@ rc_status rc_surface_read_memory(const void* data, size_t size, const char* name
   return rc::formats::guard("rc_surface_read_memory", [&] {
     if (!data && size > 0) fail(RC_ERR_ARGUMENT, "data is null");
     const std::string_view file(static_cast<const char*>(data), size);
-    read_into(spec, out, [&](double unit, const auto& format) {
+    read_into(spec, out, [&](const BareUnit& unit, const auto& format) {
       return read_surface(file, rc_platform::path_of(name ? name : ""), unit, format);
     });
   });
@@ -161,6 +158,13 @@ rc_status rc_surface_format_describe(int64_t index, rc_surface_format* out) {
     described.says = format.lengths.data();
     described.by_contents = format.matches ? 1 : 0;
     write(out, described);
+  });
+}
+
+rc_status rc_surface_unit(const char* name, double* metres) {
+  return rc::formats::guard("rc_surface_unit", [&] {
+    if (!name || !metres) fail(RC_ERR_ARGUMENT, name ? "metres is null" : "name is null");
+    *metres = bare_unit("name", name).metres;
   });
 }
 

@@ -6,7 +6,7 @@
 
 namespace rc::formats {
 
-Surface read_container(std::string_view file, double unit) {
+Surface read_container(std::string_view file, const BareUnit& unit) {
   const ZipArchive archive{file};
   const auto maps = netcdf_entries(archive.names());
   if (maps.empty()) throw Error("the zip archive holds no file *.nc; unpack it and give one of its files");
@@ -14,7 +14,7 @@ Surface read_container(std::string_view file, double unit) {
   try {
     const std::string map = archive.contents(maps.front(), most_unpacked(file.size()));
     Surface surface = read_netcdf(map, unit);
-    surface.note = in_quotes(name) + " of the archive is read";
+    surface.add_note(in_quotes(name) + " of the archive is read");
     if (maps.size() > 1) surface.note += join(", the first of ", maps.size(), " measurements; unpack it for the others");
     return surface;
   } catch (const Error& error) {

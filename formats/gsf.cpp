@@ -58,7 +58,7 @@ std::optional<bool> repeats(const Header& header) {
 
 }  // namespace
 
-Surface read_gsf(std::string_view file, double unit) {
+Surface read_gsf(std::string_view file, const BareUnit& unit) {
   if (!file.starts_with(gsf_magic)) throw Error("the first line is not \"Gwyddion Simple Field 1.0\"");
   const auto end = file.substr(0, longest_header).find('\0');
   if (end == std::string_view::npos) throw Error("the header has no end within ", longest_header, " bytes");
@@ -76,13 +76,13 @@ Surface read_gsf(std::string_view file, double unit) {
   check_data_size(surface.nx, surface.ny, sizeof(float), data.size());
 
   const auto lateral_unit = text_of(header, "XYUnits"), vertical_unit = text_of(header, "ZUnits");
-  surface.names_unit = !lateral_unit.empty() && !vertical_unit.empty();
-  const double lateral = file_unit("XYUnits", lateral_unit, unit);
+  const bool has_pitch = header.contains("XReal") || header.contains("YReal");
+  const double lateral = has_pitch ? file_unit(surface, "pitch", lateral_unit, unit) : 1;
   surface.hx = pitch(header, "XReal", surface.nx, lateral);
   surface.hy = pitch(header, "YReal", surface.ny, lateral);
 
   surface.periodic = repeats(header);
-  const double vertical = file_unit("ZUnits", vertical_unit, unit);
+  const double vertical = file_unit(surface, "heights", vertical_unit, unit);
   append_numbers<float>(data, std::endian::little, surface.heights,
                         [vertical](float z) { return vertical * static_cast<double>(z); });
   return surface;

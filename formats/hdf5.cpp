@@ -175,7 +175,7 @@ void check_hdf5_chunks(hid_t set, hid_t creation, const Surface& surface, std::s
   }
 }
 
-Surface read_data_set(std::string_view file, double unit) {
+Surface read_data_set(std::string_view file, const BareUnit& unit) {
   const NoPlugins no_plugins;
   constexpr std::string_view no_memory = "libhdf5 gives no memory";
   const Hdf5Handle access{H5Pcreate(H5P_FILE_ACCESS), H5Pclose, no_memory};
@@ -210,11 +210,11 @@ Surface read_data_set(std::string_view file, double unit) {
                 " bytes, not ", bytes_per_number, " for each");
   std::vector<double> along_y(count);
   hdf5_check(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, along_y.data()) >= 0);
+  const double metres = file_unit(surface, "heights", "", unit);
   surface.heights.reserve(count);
   for (std::int64_t iy = 0; iy < surface.ny; ++iy)
     for (std::int64_t ix = 0; ix < surface.nx; ++ix)
-      surface.heights.push_back(unit * along_y[static_cast<std::size_t>(ix * surface.ny + iy)]);
-  surface.names_unit = false;
+      surface.heights.push_back(metres * along_y[static_cast<std::size_t>(ix * surface.ny + iy)]);
   return surface;
 }
 
@@ -223,7 +223,7 @@ Surface read_data_set(std::string_view file, double unit) {
 void silence_hdf5() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 
 // libhdf5 prints errors as its host has set; they are silent here, and the host's setting is restored.
-Surface read_hdf5(std::string_view file, double unit) {
+Surface read_hdf5(std::string_view file, const BareUnit& unit) {
   static std::mutex one_at_a_time;  // libhdf5 need not be built for threads, and its settings are the process's
   const std::lock_guard lock{one_at_a_time};
   Surface surface;

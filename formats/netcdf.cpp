@@ -44,22 +44,22 @@ void check_even(const std::vector<double>& places, std::string_view axis) {
 }
 
 // From the size of the whole map, or from the first and the last coordinate.
-std::optional<double> pitch(const NetcdfFile& file, std::string_view axis, std::int64_t points, double unit) {
+std::optional<double> pitch(const NetcdfFile& file, std::string_view axis, std::int64_t points, Surface& surface,
+                            std::string_view own_unit, const BareUnit& unit) {
   const Variable* const variable = file.find(axis);
   if (!variable) return std::nullopt;
-  const double metres = file_unit("the unit of " + std::string(axis), unit_of(variable), unit);
   const std::string name = join("the pitch along ", axis);
-  if (const auto length = netcdf_number(variable, "length"))
-    return file_length(name, metres * *length / static_cast<double>(points));
+  const auto in_metres = [&](double length) { return file_length(name, length * file_unit(surface, "pitch", own_unit, unit)); };
+  if (const auto length = netcdf_number(variable, "length")) return in_metres(*length / static_cast<double>(points));
   const auto coordinates = netcdf_numbers(variable->type, variable->values, name);
   if (points < 2 || std::ssize(coordinates) != points) return std::nullopt;
   check_even(coordinates, axis);
-  return file_length(name, metres * std::abs(coordinates.back() - coordinates.front()) / static_cast<double>(points - 1));
+  return in_metres(std::abs(coordinates.back() - coordinates.front()) / static_cast<double>(points - 1));
 }
 
 }  // namespace
 
-Surface read_netcdf(std::string_view file, double unit) {
+Surface read_netcdf(std::string_view file, const BareUnit& unit) {
   const NetcdfFile netcdf{file};
   const Variable* const heights = netcdf.find("heights");
   if (!heights) throw Error("the file has no variable \"heights\"");
@@ -70,11 +70,17 @@ Surface read_netcdf(std::string_view file, double unit) {
   surface.ny = heights->shape[transposed ? 1 : 0];
   if (surface.nx < 1 || surface.ny < 1)
     throw Error("\"heights\" has an unlimited dimension; convert the file with \"nccopy -u\"");
-  surface.hx = pitch(netcdf, "x", surface.nx, unit);
-  surface.hy = pitch(netcdf, "y", surface.ny, unit);
-
-  const auto own_unit = unit_of(heights), lateral_unit = unit_of(netcdf.find("x"));
-  const double vertical = file_unit("the unit of heights", own_unit.empty() ? lateral_unit : own_unit, unit);
+  // The unit of x is that of the other lengths, unless they have their own or the caller gives one.
+  const auto along_x_unit = unit_of(netcdf.find("x")), along_y_unit = unit_of(netcdf.find("y")), own_unit = unit_of(heights);
+  const auto or_of_x = [&](std::string_view own, std::string_view what) {
+    if (!own.empty() || along_x_unit.empty() || unit.given) return own;
+    surface.add_note(join("the ", what, " have no unit, that of x is taken, ", along_x_unit));
+    return along_x_unit;
+  };
+  surface.hx = pitch(netcdf, "x", surface.nx, surface, along_x_unit, unit);
+  surface.hy = pitch(netcdf, "y", surface.ny, surface,
+                     netcdf.find("y") ? or_of_x(along_y_unit, "coordinates along y") : along_y_unit, unit);
+  const double vertical = file_unit(surface, "heights", or_of_x(own_unit, "heights"), unit);
   const double scale = netcdf_number(heights, "scale_factor").value_or(1) * vertical;
   const double offset = netcdf_number(heights, "add_offset").value_or(0) * vertical;
   const double fill = netcdf_number(heights, "_FillValue").value_or(netcdf_default_fill(heights->type));
@@ -91,7 +97,6 @@ Surface read_netcdf(std::string_view file, double unit) {
   }
   const auto along_x = netcdf_number(netcdf.find("x"), "periodic"), along_y = netcdf_number(netcdf.find("y"), "periodic");
   if (along_x || along_y) surface.periodic = along_x.value_or(0) != 0 && along_y.value_or(0) != 0;
-  surface.names_unit = !lateral_unit.empty();
   return surface;
 }
 

@@ -160,14 +160,14 @@ NpyLayout npy_layout(std::string_view file) {
           type.size, type.load, byte_order(header.descr[0]),       file.size() - rest.size()};
 }
 
-Surface read_npy(std::string_view file, double unit) {
+Surface read_npy(std::string_view file, const BareUnit& unit) {
   const NpyLayout layout = npy_layout(file);
   file.remove_prefix(layout.data);
   const std::int64_t nx = layout.nx, ny = layout.ny;
   check_data_size(nx, ny, layout.size, file.size());
 
   Surface surface;
-  surface.names_unit = false;
+  const double metres = file_unit(surface, "heights", "", unit);
   surface.nx = nx;
   surface.ny = ny;
   surface.heights.reserve(file.size() / layout.size);
@@ -175,7 +175,7 @@ Surface read_npy(std::string_view file, double unit) {
   for (std::int64_t iy = 0; iy < ny; ++iy) {
     for (std::int64_t ix = 0; ix < nx; ++ix) {
       const auto index = static_cast<std::size_t>(iy * row + ix * column);
-      surface.heights.push_back(unit * layout.number(file.data() + index * layout.size));
+      surface.heights.push_back(metres * layout.number(file.data() + index * layout.size));
     }
   }
   return surface;

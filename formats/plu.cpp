@@ -15,7 +15,7 @@ constexpr std::uint64_t data_start = 508;
 
 }  // namespace
 
-Surface read_plu(std::string_view file, double) {
+Surface read_plu(std::string_view file, const BareUnit& unit) {
   const std::string_view header = piece(file, 0, data_start, "the header of 508 bytes");
   if (const auto type = field<std::uint32_t>(header, 428, "the type"); type != topography) {
     throw Error("the measurement is of type ", type, ", only 3 (a topography) can be read", type == 1 ? "; 1 is a profile" : "");
@@ -29,6 +29,7 @@ Surface read_plu(std::string_view file, double) {
     throw Error("the header says ", nx, " x ", ny, " points at byte 388 and ", surface.nx, " x ", surface.ny,
                 " at byte 500; the file is damaged or not a .plu");
   }
+  file_unit(surface, "lengths", "um", unit);
   surface.hx = file_length("the pitch along x", 1e-6 * static_cast<double>(field<float>(header, 404, "dx")));
   surface.hy = file_length("the pitch along y", 1e-6 * static_cast<double>(field<float>(header, 408, "dy")));
 

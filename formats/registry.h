@@ -15,7 +15,7 @@ struct Format {
   std::string_view extensions;             // separated by spaces
   bool (*matches)(std::string_view file);  // whether the contents are of this format; null if they cannot show it
   std::string_view lengths;                // what the file says of its lengths
-  Surface (*read)(std::string_view file, double unit);
+  Surface (*read)(std::string_view file, const BareUnit& unit);
 };
 
 std::span<const Format> surface_formats();

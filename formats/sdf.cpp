@@ -117,9 +117,13 @@ Surface read_binary(std::string_view file) {
 
 }  // namespace
 
-Surface read_sdf(std::string_view file, double) {
-  if (file.starts_with("bISO-") || file.starts_with("bBCR-")) return read_binary(file);
-  if (file.starts_with("aISO-") || file.starts_with("aBCR-") || file.starts_with("aNPL-")) return read_ascii(file);
+Surface read_sdf(std::string_view file, const BareUnit& unit) {
+  const bool binary = file.starts_with("bISO-") || file.starts_with("bBCR-");
+  if (binary || file.starts_with("aISO-") || file.starts_with("aBCR-") || file.starts_with("aNPL-")) {
+    Surface surface = binary ? read_binary(file) : read_ascii(file);
+    file_unit(surface, "lengths", "m", unit);
+    return surface;
+  }
   throw Error("the file begins with ", in_quotes(file.substr(0, 8)),
               ", expected is aISO-1.0, aBCR-1.0, aNPL-V1.0, bISO-1.0 or bBCR-1.0");
 }

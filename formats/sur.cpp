@@ -22,10 +22,9 @@ std::string_view text_field(std::string_view header, std::uint64_t offset) {
   return trimmed(text.substr(0, text.find('\0')));
 }
 
-// The pitch along an axis or the height of a step: a number in the unit of the step.
-double step_length(std::string_view header, std::string_view name, std::uint64_t number_at, std::uint64_t unit_at, double unit) {
-  const double metres = file_unit("the unit of " + std::string(name), text_field(header, unit_at), unit);
-  return metres * static_cast<double>(field<float>(header, number_at, name));
+// The pitch along an axis or the height of a step.
+double step_length(std::string_view header, std::string_view name, std::uint64_t number_at, double metres) {
+  return file_length(name, metres * static_cast<double>(field<float>(header, number_at, name)));
 }
 
 // Appends what the stream holds if that is `expected` bytes.
@@ -79,7 +78,7 @@ void check_kind(std::string_view header) {
 
 }  // namespace
 
-Surface read_sur(std::string_view file, double unit) {
+Surface read_sur(std::string_view file, const BareUnit& unit) {
   const std::string_view header = piece(file, 0, header_size, "the header of 512 bytes");
   const bool compressed = header.starts_with("DSCOMPRESSED");
   if (!compressed && !header.starts_with("DIGITAL SURF"))
@@ -93,9 +92,12 @@ Surface read_sur(std::string_view file, double unit) {
   if (surface.nx < 1 || surface.ny < 1 || surface.nx * surface.ny != points) {
     throw Error("the header says ", surface.nx, " x ", surface.ny, " points and ", points, " in all; the file is damaged");
   }
-  surface.hx = file_length("the pitch along x", step_length(header, "the pitch along x", 120, 180, unit));
-  surface.hy = file_length("the pitch along y", step_length(header, "the pitch along y", 124, 196, unit));
-  const double step = file_length("the step of heights", step_length(header, "the step of heights", 128, 212, unit));
+  const auto unit_at = [&](std::uint64_t at, std::string_view what) {
+    return file_unit(surface, what, text_field(header, at), unit);
+  };
+  surface.hx = step_length(header, "the pitch along x", 120, unit_at(180, "pitch"));
+  surface.hy = step_length(header, "the pitch along y", 124, unit_at(196, "pitch"));
+  const double step = step_length(header, "the step of heights", 128, unit_at(212, "heights"));
 
   const auto bits = field<std::uint16_t>(header, 98, "the size of numbers");
   if (bits != 16 && bits != 32) throw Error("numbers have ", bits, " bits, only 16 and 32 can be read");
@@ -117,7 +119,7 @@ Surface read_sur(std::string_view file, double unit) {
   if (bits == 16) append_numbers<std::int16_t>(data, std::endian::little, surface.heights, height);
   if (bits == 32) append_numbers<std::int32_t>(data, std::endian::little, surface.heights, height);
   if (const auto objects = field<std::uint16_t>(header, 14, "the number of objects"); objects > 1) {
-    surface.note = "the first of " + std::to_string(objects) + " surfaces in the file is read";
+    surface.add_note(join("the first of ", objects, " surfaces in the file is read"));
   }
   return surface;
 }

@@ -87,10 +87,14 @@ std::size_t packed_data_size(std::int64_t nx, std::int64_t ny, std::size_t bytes
   return data_size(nx, ny, bytes_per_number, most_unpacked(file_size));
 }
 
-double file_unit(std::string_view key, std::string_view name, double unit) {
-  if (name.empty()) return unit;
-  if (const auto metres = metres_per(name)) return *metres;
-  throw Error(key, " ", in_quotes(name), " is not a length, known are m and m with an SI prefix (mm, um, nm, pm)");
+void Surface::add_note(std::string_view text) { note += join(note.empty() ? "" : "; ", text); }
+
+double file_unit(Surface& surface, std::string_view what, std::string_view name, const BareUnit& unit) {
+  const auto metres = name.empty() ? unit.metres : metres_per(name);
+  if (!metres) throw Error("the unit of the ", what, " ", in_quotes(name), " is not a length, known are ", known_lengths);
+  if (name == "A") surface.add_note(join("the unit A of the ", what, " is read as angstrom"));
+  surface.lengths.push_back({what, std::string(name), *metres});
+  return *metres;
 }
 
 double file_length(std::string_view key, double metres) {
@@ -100,12 +104,13 @@ double file_length(std::string_view key, double metres) {
               metres > 0 && std::isfinite(metres) ? "which no surface has; the header is damaged" : "not a positive length");
 }
 
-Surface read_surface(const fs::path& path, double unit, const std::optional<std::string>& format) {
+Surface read_surface(const fs::path& path, const BareUnit& unit, const std::optional<std::string>& format) {
   if (format) named_format(*format);  // an unknown one is refused before the file is read
   return read_surface(of_file(path, [&] { return contents(path); }), path, unit, format);
 }
 
-Surface read_surface(std::string_view file, const fs::path& name, double unit, const std::optional<std::string>& format) {
+Surface read_surface(std::string_view file, const fs::path& name, const BareUnit& unit,
+                     const std::optional<std::string>& format) {
   const Format* const named = format ? &named_format(*format) : nullptr;
   return of_file(name, [&] {
     std::string converted;
@@ -114,6 +119,7 @@ Surface read_surface(std::string_view file, const fs::path& name, double unit, c
     const bool guessed = !named && chosen.read == read_text;
     Surface surface = guessed ? read_text_or_points(plain, unit) : chosen.read(plain, unit);
     if (surface.format.empty()) surface.format = chosen.name;
+    surface.file = name.empty() ? "the file" : name.string();
     for (double& z : surface.heights) {
       if (!std::isfinite(z)) z = missing_height;
     }

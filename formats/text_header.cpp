@@ -8,6 +8,7 @@
 #include "formats/numbers.h"
 #include "formats/readers.h"
 #include "formats/text_rows.h"
+#include "formats/units.h"
 #include "formats/wording.h"
 
 namespace rc::formats {
@@ -53,7 +54,9 @@ constexpr Key header_keys[] = {
      Role::other, nullptr, nullptr, &TextHeader::z_unit},
     {"|x-unit|", Role::other, nullptr, nullptr, &TextHeader::x_unit},
     {"|y-unit|unit y|", Role::other, nullptr, nullptr, &TextHeader::y_unit},
-    {"|unit x|", Role::other, nullptr, nullptr, &TextHeader::x_unit, &TextHeader::y_unit},
+    {"|unit x|", Role::other, nullptr, nullptr, &TextHeader::x_unit},
+    {"|unit|units|einheit|length unit|length units|unit of length|l\xc3\xa4ngeneinheit|l\xe4ngeneinheit|", Role::other, nullptr,
+     nullptr, &TextHeader::all_unit},
     {"|x-pixels|nx|w|ncols|cols|columns|xres|spalten|", Role::columns},
     {"|y-pixels|ny|h|nrows|rows|lines|yres|zeilen|", Role::rows},
     {"|resolution|size|shape|pixels|points|", Role::size},
@@ -74,14 +77,37 @@ const Key* key_named(std::string_view name) {
   return found == std::end(header_keys) ? nullptr : found;
 }
 
-// "10.00 um": the number, and its unit.
+// A unit with or without brackets.
+std::string_view bare_name(std::string_view unit) {
+  const auto inner = label_of(unit);
+  return inner.name.empty() && !inner.unit.empty() ? inner.unit : trimmed(unit);
+}
+
+// "10.00 um", "10um", "10 [um]": the number, and its unit.
 std::pair<double, std::string_view> header_length(std::string_view key, std::string_view text) {
-  const auto gap = std::min(text.find_first_of(" \t"), text.size());
-  const auto number = text.substr(0, gap);
-  const auto value = field_number(number);
-  if (!value) throw Error(key, ": ", in_quotes(number), " is not a number");
+  auto gap = std::min(text.find_first_of(" \t;"), text.size());
+  auto value = field_number(text.substr(0, gap));
+  for (auto end = std::min<std::size_t>(gap, 40); !value && end > 1; value = field_number(text.substr(0, end))) gap = --end;
+  if (!value) throw Error(key, ": ", in_quotes(text), " is not a number");
   if (!(*value > 0) || !std::isfinite(*value)) throw Error(key, " ", in_quotes(text), " is not a positive length");
-  return {*value, trimmed(text.substr(gap))};
+  text = trimmed(text.substr(gap));
+  if (text.starts_with(';') || text.starts_with(',')) text.remove_prefix(1);
+  return {*value, bare_name(text)};
+}
+
+bool same_unit(std::string_view a, std::string_view b) {
+  const auto one = metres_per(a), other = metres_per(b);
+  return one && other ? *one == *other : a == b;
+}
+
+void refuse_two_units(std::string_view what, std::string_view one, std::string_view other) {
+  if (one.empty() || other.empty() || same_unit(one, other)) return;
+  throw Error("the header names two units of ", what, ", ", in_quotes(one), " and ", in_quotes(other), "; correct it");
+}
+
+void set_unit(std::string_view what, std::string_view unit, std::string_view& to) {
+  refuse_two_units(what, to, unit);
+  if (!unit.empty()) to = unit;
 }
 
 // Empty for words, as in "columns: x, y, z".
@@ -117,18 +143,37 @@ std::optional<Split> at_separator(std::string_view line) {
   return Split{trimmed(line.substr(0, at)), trimmed(line.substr(at + (at == wide_at ? wide.size() : 1)))};
 }
 
+bool begins_with_digit(std::string_view text) { return text.find_first_of("0123456789") == 0; }
+
+// "ncols 512" of ESRI's grids, "Width;10 um" of tables.
+std::optional<Split> at_first_gap(std::string_view line) {
+  const bool table = line.find_first_of(";\t") != line.npos;
+  const auto gap = line.find_first_of(table ? ";\t" : line.find(',') == line.npos ? " " : ",");
+  if (gap == line.npos) return std::nullopt;
+  return Split{trimmed(line.substr(0, gap)), trimmed(line.substr(gap + 1))};
+}
+
+// The key of such a pair, and the unit beside its name: "Width [um]".
+std::pair<const Key*, std::string_view> key_of(std::string_view name) {
+  if (const Key* const key = key_named(name)) return {key, ""};
+  const Label label = label_of(name);
+  const Key* const key = label.unit.empty() ? nullptr : key_named(label.name);
+  return key && key->number ? std::pair{key, label.unit} : std::pair<const Key*, std::string_view>{nullptr, ""};
+}
+
 }  // namespace
 
-void TextHeader::read_pair(const Key& key, const Split& pair) {
-  std::string_view of_text = pair.value;
+void TextHeader::read_pair(const Key& key, const Split& pair, std::string_view key_unit) {
+  std::string_view of_text = bare_name(pair.value);
   if (key.number) {
     const auto [length, unit] = header_length(pair.key, pair.value);
     this->*key.number = length;
     if (key.same_number) this->*key.same_number = length;
     of_text = unit;
+    set_unit(pair.key, key_unit, of_text);
   }
-  if (key.text) this->*key.text = of_text;
-  if (key.same_text) this->*key.same_text = of_text;
+  for (const auto to : {key.text, key.same_text})
+    if (to) set_unit(pair.key, of_text, this->*to);
   if (key.role == Role::no_data) no_data = field_number(pair.value);
   names_kind |= key.role == Role::kind;
 }
@@ -161,41 +206,99 @@ void TextHeader::read_counts(std::string_view line) {
 
 bool TextHeader::read_comment(std::string_view line) {
   const auto pair = at_separator(line);
-  const Key* const key = pair ? key_named(pair->key) : nullptr;
+  const auto [key, unit] = pair ? key_of(pair->key) : std::pair<const Key*, std::string_view>{nullptr, ""};
   if (!key || key->counts()) {
     read_counts(line);
+    if (!key) read_words(line);
     return false;
   }
-  read_pair(*key, *pair);
+  read_pair(*key, *pair, unit);
   return key->role == Role::channel || key->role == Role::width || key->role == Role::kind;
 }
 
 bool TextHeader::read_line(std::string_view line) {
-  const char first = line.front();
-  const auto fields = row_fields(line);
-  if ((first >= '0' && first <= '9') || first == '-' || first == '+' || first == '.' || is_missing_mark(fields.front()))
+  if (std::string_view("0123456789-+.;,").find(line.front()) != line.npos || is_missing_mark(row_fields(line).front()))
     return false;
   auto pair = at_separator(line);
-  if (!pair) {
-    // "ncols 512" of ESRI's grids
-    const auto gap = line.find_first_of(" \t");
-    if (gap == std::string_view::npos || !field_number(trimmed(line.substr(gap)))) return listing;
-    pair = Split{line.substr(0, gap), trimmed(line.substr(gap))};
+  const bool blank = !pair && line.find_first_of(";\t,") == line.npos;
+  if (!pair) pair = at_first_gap(line);
+  const auto [key, unit] = pair ? key_of(pair->key) : std::pair<const Key*, std::string_view>{nullptr, ""};
+  const bool takes_number = key && (key->number || key->counts());
+  // Without a separator a value must look like one: "Unit 7" is a title.
+  const auto fits = [&] { return key->role == Role::no_data ? field_number(pair->value) : metres_per(bare_name(pair->value)); };
+  const bool has_value = takes_number ? begins_with_digit(pair->value) : key && (!blank || fits());
+  if (!has_value) {
+    if (listing) read_words(line);
+    return listing;
   }
-  const Key* const key = key_named(pair->key);
-  if (!key) return listing;
   listing |= key->role == Role::kind;
   if (key->counts()) {
     read_counts(std::string(pair->key) + "=" + std::string(pair->value));
   } else {
-    read_pair(*key, *pair);
+    read_pair(*key, *pair, unit);
   }
   return true;
 }
 
+void TextHeader::read_words(std::string_view line) {
+  if (line.empty()) return;
+  above_ = std::exchange(last_, labels_of(line));
+  const bool named = last_.all_named();
+  const std::string_view only = last_.each.size() == 1 ? last_.each.front().unit : "";
+  if (!only.empty() && named && !metres_per(only) && !line.ends_with(']')) {  // "Height (forward)"
+    if (unclear_unit.empty()) unclear_unit = line;
+  } else if (named && (last_.each.size() > 1 || !only.empty())) {
+    set_units(last_.each);
+    named_ = last_;
+  } else if (unclear_unit.empty() && mentions_unit(line)) {
+    unclear_unit = line;
+  }
+}
+
+void TextHeader::set_units(const std::vector<Label>& labels) {
+  for (const Label& label : labels) {
+    if (label.axis == Axis::x) set_unit("x", label.unit, x_unit);
+    if (label.axis == Axis::y) set_unit("y", label.unit, y_unit);
+    if (label.axis == Axis::z) set_unit("the heights", label.unit, z_unit);
+    if (label.axis == Axis::all) set_unit("all lengths", label.unit, all_unit);
+  }
+}
+
+void TextHeader::settle_columns(std::int64_t count, char separator) {
+  const auto of_all = [&](const Labels& labels) {
+    return std::ssize(labels.each) == count && (separator == ' ' || labels.separator == separator || labels.all_named());
+  };
+  const bool units_below = of_all(last_) && std::ranges::all_of(last_.each, [](const Label& label) {
+                             return label.name.empty() && !label.unit.empty();
+                           });
+  heads = (units_below && of_all(above_) ? above_ : of_all(last_) ? last_ : of_all(named_) ? named_ : Labels{}).each;
+  if (units_below) {
+    for (std::size_t i = 0; i < heads.size(); ++i) {
+      refuse_two_units("a column", heads[i].unit, last_.each[i].unit);
+      heads[i].unit = last_.each[i].unit;
+    }
+  }
+  // "x; y; profile": the third column has the heights.
+  const auto other = std::ranges::find(heads, Axis::none, &Label::axis);
+  if (count == 3 && other != heads.end() && std::ranges::count(heads, Axis::x, &Label::axis) == 1 &&
+      std::ranges::count(heads, Axis::y, &Label::axis) == 1)
+    other->axis = Axis::z;
+  set_units(heads);
+  if (std::ranges::any_of(heads, [](const Label& label) { return !label.unit.empty(); })) unclear_unit.clear();
+}
+
+std::vector<std::size_t> TextHeader::points() const {
+  std::vector<std::size_t> places;
+  for (const Axis axis : {Axis::x, Axis::y, Axis::z}) {
+    if (std::ranges::count(heads, axis, &Label::axis) != 1) return {};
+    places.push_back(static_cast<std::size_t>(std::ranges::find(heads, axis, &Label::axis) - heads.begin()));
+  }
+  return places;
+}
+
 bool TextHeader::of_matrix() const { return columns || rows || size || width || height || pixel_x || pixel_y || metres; }
 
-void TextHeader::apply(double unit, Surface& surface) const {
+void TextHeader::apply(const BareUnit& unit, Surface& surface) const {
   const bool other = (columns && *columns != surface.nx) || (rows && *rows != surface.ny);
   const bool other_size = size && *size != std::pair{surface.nx, surface.ny} && *size != std::pair{surface.ny, surface.nx};
   if (other || other_size) {
@@ -203,22 +306,59 @@ void TextHeader::apply(double unit, Surface& surface) const {
     throw Error("the header says ", stated.first, " x ", stated.second, " points, but there are ", surface.ny, " rows of ",
                 surface.nx, " values; the file is truncated or damaged");
   }
-  // SPIP leaves out the unit of lateral lengths, which is nm.
-  const double lateral = names_kind && !pixel_x ? 1e-9 : unit;
-  const auto lateral_unit = [&](std::string_view own, std::string_view axis) {
-    return file_unit("the unit of the lengths", own.empty() ? axis : own, lateral);
+  const auto lateral = [&](double length, std::string_view own, std::string_view axis_unit, std::string_view axis,
+                           double points) {
+    refuse_two_units(axis, own, axis_unit);
+    // SPIP leaves out the unit of lateral lengths, which is nm.
+    const auto named = !own.empty() ? own : !axis_unit.empty() ? axis_unit : names_kind && !pixel_x ? "nm" : all_unit;
+    refuse_two_units(axis, named, all_unit);
+    return file_length(join("the pitch along ", axis), length * file_unit(surface, "pitch", named, unit) / points);
   };
+  for (const std::string_view name : {x_unit, y_unit})
+    if (!name.empty() && !metres_per(name)) throw Error("the unit of x or y, ", in_quotes(name), ", is not a length");
   const auto nx = static_cast<double>(surface.nx), ny = static_cast<double>(surface.ny);
-  if (pixel_x) surface.hx = file_length("the pitch along x", *pixel_x * lateral_unit({}, x_unit));
-  if (pixel_y) surface.hy = file_length("the pitch along y", *pixel_y * lateral_unit({}, y_unit.empty() ? x_unit : y_unit));
-  if (width) surface.hx = file_length("the pitch along x", *width * lateral_unit(width_unit, x_unit) / nx);
-  if (height)
-    surface.hy = file_length("the pitch along y", *height * lateral_unit(height_unit, y_unit.empty() ? x_unit : y_unit) / ny);
+  const std::string_view along_y = pixel_y || height ? unit_along_y(unit, surface) : y_unit;
+  if (pixel_x) surface.hx = lateral(*pixel_x, {}, x_unit, "x", 1);
+  if (pixel_y) surface.hy = lateral(*pixel_y, {}, along_y, "y", 1);
+  if (width) surface.hx = lateral(*width, width_unit, x_unit, "x", nx);
+  if (height) surface.hy = lateral(*height, height_unit, height_unit.empty() ? along_y : y_unit, "y", ny);
 
-  double vertical = metres ? *metres : nanometres && z_unit.empty() ? 1e-9 * *nanometres : file_unit("Value units", z_unit, unit);
-  vertical *= factor.value_or(1);
-  surface.names_unit = metres || nanometres || !z_unit.empty();
+  std::string_view common;
+  for (const Label& label : heads) set_unit("the columns of heights", label.unit, common);
+  refuse_two_units("the heights", common, z_unit);
+  const double vertical = heights_unit(unit, z_unit.empty() ? common : z_unit, surface) * factor.value_or(1);
   for (double& z : surface.heights) z = no_data && z == *no_data ? missing_height : z * vertical;
+  surface.unclear_unit = unclear_unit;
+}
+
+// "Unit X" of Nova is that of y as well.
+std::string_view TextHeader::unit_along_y(const BareUnit& unit, Surface& surface) const {
+  if (!y_unit.empty() || !height_unit.empty() || x_unit.empty() || (unit.given && !names_kind)) return y_unit;
+  if (!names_kind) surface.add_note(join("y has no unit, that of x is taken, ", x_unit));
+  return x_unit;
+}
+
+double TextHeader::heights_unit(const BareUnit& unit, std::string_view own, Surface& surface) const {
+  refuse_two_units("the heights", own, all_unit);
+  if (own.empty()) own = all_unit;
+  if (metres) return *metres * file_unit(surface, "heights", "m", unit);
+  if (nanometres && own.empty()) return *nanometres * file_unit(surface, "heights", "nm", unit);
+  return file_unit(surface, "heights", own, unit);
+}
+
+std::vector<double> TextHeader::units_of_points(const BareUnit& unit, Surface& surface) const {
+  std::string_view own[] = {x_unit, y_unit, z_unit};
+  if (points().empty() && heads.size() == 3) {
+    for (std::size_t i = 0; i < 3; ++i) set_unit("a column", heads[i].unit, own[i]);
+  }
+  std::vector<double> found;
+  for (const std::string_view name : {own[0], own[1]}) {
+    refuse_two_units("a column", name, all_unit);
+    found.push_back(file_unit(surface, "pitch", name.empty() ? all_unit : name, unit));
+  }
+  found.push_back(heights_unit(unit, own[2], surface) * factor.value_or(1));
+  surface.unclear_unit = unclear_unit;
+  return found;
 }
 
 }  // namespace rc::formats

@@ -19,6 +19,10 @@ std::vector<std::string_view> words(std::string_view line) {
   for (auto first = line.find_first_not_of(blanks); first != std::string_view::npos;) {
     const auto end = std::min(line.find_first_of(blanks, first), line.size());
     found.push_back(line.substr(first, end - first));
+    if (found.size() > 1 && lower_case(found.back()) == "data" && lower_case(found[found.size() - 2]) == "no") {  // one mark
+      found.pop_back();
+      found.back() = std::string_view(found.back().data(), static_cast<std::size_t>(line.data() + end - found.back().data()));
+    }
     first = line.find_first_not_of(blanks, end);
   }
   return found;
@@ -36,17 +40,36 @@ bool has_decimal_commas(std::string_view line, const std::vector<std::string_vie
   });
 }
 
+// Refuses "0,5, 1,5": each comma may be a decimal mark, or separate two whole numbers.
+void refuse_unclear_commas(std::string_view line) {
+  if (line.find(',') == std::string_view::npos || line.find('.') != std::string_view::npos) return;
+  const auto found = words(line);
+  if (found.size() < 2) return;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    std::string_view word = found[i];
+    if (i + 1 < found.size() && !word.ends_with(',')) return;
+    if (word.ends_with(',')) word.remove_suffix(1);
+    const auto comma = word.find(',');
+    if (comma == 0 || comma == std::string_view::npos || !is_digit(word[comma - 1]) || comma + 1 == word.size() ||
+        word.find_first_not_of("0123456789eE+-", comma + 1) != std::string_view::npos)
+      return;
+  }
+  throw Error("in ", in_quotes(line), " a comma may be a decimal mark or separate numbers: write decimal points");
+}
+
+}  // namespace
+
 std::string_view without_quotes(std::string_view field) {
   field = trimmed(field);
   const bool quoted = field.size() > 1 && field.front() == '"' && field.back() == '"';
   return quoted ? trimmed(field.substr(1, field.size() - 2)) : field;
 }
 
-}  // namespace
+std::string_view take_line(std::string_view& text) { return trimmed(take_whole_line(text)); }
 
-std::string_view take_line(std::string_view& text) {
+std::string_view take_whole_line(std::string_view& text) {
   const auto end = std::min(text.find_first_of("\r\n"), text.size());
-  const auto line = trimmed(text.substr(0, end));
+  const auto line = text.substr(0, end);
   // CR CR LF, which editors make of CR LF, ends one line.
   const auto after = std::min(text.find_first_not_of('\r', end), text.size());
   const bool feed = after < text.size() && text[after] == '\n';
@@ -55,14 +78,20 @@ std::string_view take_line(std::string_view& text) {
 }
 
 std::vector<std::string_view> row_fields(std::string_view line) {
-  const bool semicolons = line.find(';') != std::string_view::npos;
-  if (!semicolons) {
-    const auto found = words(line);
-    if (line.find(',') == std::string_view::npos || has_decimal_commas(line, found)) return found;
+  if (line.find(';') != std::string_view::npos) return split(line, ';');
+  if (line.find('\t') != std::string_view::npos) {
+    const auto fields = split(line, '\t');
+    const auto single = [](std::string_view field) {
+      field = trimmed(field);
+      return field.find_first_of(field.starts_with('"') ? "," : " ,") == std::string_view::npos || field_number(field) ||
+             is_missing_mark(field);
+    };
+    if (std::ranges::all_of(fields, single)) return fields;
   }
-  auto parts = split(line, semicolons ? ';' : ',');
-  if (trimmed(parts.back()).empty()) parts.pop_back();  // a separator may end the line
-  return parts;
+  const auto found = words(line);
+  if (line.find(',') == std::string_view::npos || has_decimal_commas(line, found)) return found;
+  refuse_unclear_commas(line);
+  return split(line, ',');
 }
 
 std::optional<double> field_number(std::string_view field) {

@@ -10,9 +10,15 @@ namespace rc::formats {
 // Cuts the first line off the text and returns it without white space at its ends. A line ends with LF, CR LF or CR.
 std::string_view take_line(std::string_view& text);
 
-// The fields of a line: separated by semicolons if it has one, else by commas, else by white space. Commas are decimal marks if
-// white space separates the fields and each comma stands within one ("1,5 2,5").
+// The same with the white space at its ends: a tab there may stand for an empty field.
+std::string_view take_whole_line(std::string_view& text);
+
+// The fields of a line: separated by semicolons if it has one, else by tabs if these divide it into single words, else by commas,
+// else by white space. Commas are decimal marks if white space separates the fields and each comma stands within one ("1,5 2,5").
+// A separator at the end of the line begins an empty field. Throws an Error if commas may be both.
 std::vector<std::string_view> row_fields(std::string_view line);
+
+std::string_view without_quotes(std::string_view field);
 
 // The number in a field: quotes around it, a decimal comma and Fortran's exponents (1.0D-06) are understood.
 std::optional<double> field_number(std::string_view field);

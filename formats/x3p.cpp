@@ -139,7 +139,7 @@ void read_list(const xml_node& list, const HeightAxis& z, std::size_t points, Su
 
 }  // namespace
 
-Surface read_x3p(std::string_view file, double) {
+Surface read_x3p(std::string_view file, const BareUnit& unit) {
   const ZipArchive archive{file};
   const std::size_t main = main_xml_entry(archive.names());
   if (main == archive.names().size()) throw Error("the zip archive holds no main.xml, so it is no X3P");
@@ -164,6 +164,7 @@ Surface read_x3p(std::string_view file, double) {
   surface.ny = size_of(record, "MatrixDimension/SizeY");
   if (const auto layers = size_of(record, "MatrixDimension/SizeZ"); layers != 1)
     throw Error("the file has ", layers, " layers, one is needed");
+  file_unit(surface, "lengths", "m", unit);
   surface.hx = pitch(axes, "CX");
   surface.hy = pitch(axes, "CY");
   const HeightAxis z = height_axis(axes);

@@ -1,6 +1,7 @@
-// Three columns x, y, z, separated by white space, commas or semicolons, on a regular grid in any order. Nodes without a point
-// and points without a height ("nan", "bad", "no data", "***") are missing. Lines before the first number, and those that begin
-// with '#', are comments. Rows go upwards with y.
+// Three columns x, y, z, separated by white space, commas or semicolons, on a regular grid in any order; if a line names x, y and
+// z, in its order and among others. Nodes without a point and points without a height ("nan", "bad", "no data", "***", nothing)
+// are missing. Lines before the first number, and those that begin with '#', are comments, of which text_header.cpp reads units.
+// Rows go upwards with y.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -8,7 +9,7 @@
 #include "formats/error.h"
 #include "formats/readers.h"
 #include "formats/regular_grid.h"
-#include "formats/text_rows.h"
+#include "formats/text_table.h"
 #include "formats/wording.h"
 
 namespace rc::formats {
@@ -22,42 +23,33 @@ struct Points {
   std::vector<double> x, y, z;
 };
 
-bool begins_with_number(std::string_view line) { return line.find_first_of("0123456789+-.\"") == 0; }
-
-double coordinate(std::string_view text, std::int64_t line, const char* name) {
-  const auto value = field_number(text);
-  if (value && std::isfinite(*value)) return *value;
-  throw Error("line ", line, ": ", name, " ", in_quotes(trimmed(text)), " is not a finite number");
-}
-
-Points parse_points(std::string_view file) {
-  check_text(file);
+Points points_of(const TextTable& table, const std::vector<std::size_t>& places) {
   Points points;
-  std::int64_t number = 0;
-  while (!file.empty()) {
-    const auto line = take_line(file);
-    ++number;
-    if (line.empty() || line.starts_with('#') || line == "\x1a") continue;
-    if (points.x.empty() && !begins_with_number(line)) continue;
-    const auto parts = row_fields(line);
-    const bool no_data = parts.size() == 4 && is_missing_mark(std::string(parts[2]) + " " + std::string(parts[3]));
-    if (parts.size() != 3 && !no_data) {
-      throw Error("line ", number, " has ", parts.size(),
-                  " columns, three are needed: x, y and z; give the format text if this is a matrix");
+  const auto columns = static_cast<std::size_t>(table.columns);
+  for (std::size_t i = 0; i < table.lines.size(); ++i) {
+    const double* const row = &table.values[i * columns];
+    for (const std::size_t k : {0, 1}) {
+      if (!std::isfinite(row[places[k]]))
+        throw Error("line ", table.lines[i], ": ", k == 0 ? "x" : "y", " is missing or not finite");
     }
-    points.x.push_back(coordinate(parts[0], number, "x"));
-    points.y.push_back(coordinate(parts[1], number, "y"));
-    points.z.push_back(no_data || is_missing_mark(parts[2]) ? missing_height : coordinate(parts[2], number, "z"));
+    points.x.push_back(row[places[0]]);
+    points.y.push_back(row[places[1]]);
+    points.z.push_back(row[places[2]]);
   }
   return points;
 }
 
 }  // namespace
 
-Surface read_xyz(std::string_view file, double unit) {
-  const Points points = parse_points(file);
+Surface read_xyz(std::string_view file, const BareUnit& unit) {
+  const TextTable table = read_table(file, true);
+  auto places = table.header.points();
+  if (places.empty() && table.columns != 3)
+    throw Error("line ", table.lines.front(), " has ", table.columns,
+                " columns, three are needed: x, y and z; give the format text if this is a matrix");
+  if (places.empty()) places = {0, 1, 2};
+  const Points points = points_of(table, places);
   const auto count = static_cast<std::int64_t>(points.x.size());
-  if (count == 0) throw Error("the file has no line with three numbers");
   const std::int64_t most_nodes = most_nodes_per_point * count;
   const GridAxis x = find_grid_axis(points.x, most_nodes, "x"), y = find_grid_axis(points.y, most_nodes, "y");
   if (y.count > most_nodes / x.count) {
@@ -66,11 +58,13 @@ Surface read_xyz(std::string_view file, double unit) {
   }
 
   Surface surface;
-  surface.names_unit = false;
+  surface.note = table.note;
+  if (table.columns > 3) surface.add_note("the columns beside x, y and z are not read");
+  const std::vector<double> metres = table.header.units_of_points(unit, surface);
   surface.nx = x.count;
   surface.ny = y.count;
-  surface.hx = file_length("the pitch along x", unit * x.pitch);
-  surface.hy = file_length("the pitch along y", unit * y.pitch);
+  surface.hx = file_length("the pitch along x", metres[0] * x.pitch);
+  surface.hy = file_length("the pitch along y", metres[1] * y.pitch);
   surface.heights.assign(static_cast<std::size_t>(x.count * y.count), missing_height);
   std::vector<bool> taken(surface.heights.size());
   for (std::size_t i = 0; i < points.z.size(); ++i) {
@@ -80,7 +74,8 @@ Surface read_xyz(std::string_view file, double unit) {
                   x.index[i], ", ", y.index[i], " of the grid; remove one");
     }
     taken[node] = true;
-    surface.heights[node] = unit * points.z[i];
+    const bool missing = table.header.no_data && points.z[i] == *table.header.no_data;
+    surface.heights[node] = missing ? missing_height : metres[2] * points.z[i];
   }
   return surface;
 }

@@ -12,7 +12,6 @@ namespace fuzz {
 
 namespace {
 
-constexpr double unit = 1e-6;
 constexpr std::size_t most_processed = 1 << 12;  // heights of which forms are removed and holes filled
 
 void require_in_order(const rc::formats::Surface& surface, std::size_t file_size) {
@@ -57,7 +56,7 @@ void process(rc::formats::Surface surface) {
 
 std::optional<rc::formats::Surface> check_reader(Reader read, std::string_view file) {
   try {
-    rc::formats::Surface surface = read(file, unit);
+    rc::formats::Surface surface = read(file, {"um", 1e-6, true});
     require_in_order(surface, file.size());
     if (surface.heights.size() <= most_processed) process(surface);
     return surface;

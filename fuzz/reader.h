@@ -10,7 +10,7 @@
 
 namespace fuzz {
 
-using Reader = rc::formats::Surface (*)(std::string_view file, double unit);
+using Reader = rc::formats::Surface (*)(std::string_view file, const rc::formats::BareUnit& unit);
 
 /** Reads the bytes. A reader ends in a surface whose sizes, pitch and memory agree with each other, or in a rc::formats::Error of
  * one line; anything else ends the process. A surface's form is removed and its missing points are filled, which keeps it in

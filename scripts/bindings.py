@@ -49,6 +49,7 @@ SCALARS = {
     "rc_law_overclosure": "x",
     "rc_law_gap_conductance": "conductance",
     "rc_surface_psd": "count",
+    "rc_surface_unit": "metres",
     "rc_mpi_rows_f": "first count",
 }
 # Arguments that Fortran may leave out: NULL in C.

@@ -14,8 +14,7 @@ struct Symbol {
   std::string_view text;
   Dimension dimension;
 };
-constexpr Symbol symbols[] = {
-    {"m", Dimension::length}, {"Pa", Dimension::pressure}, {"N", Dimension::force}, {"rad", Dimension::angle}};
+constexpr Symbol symbols[] = {{"Pa", Dimension::pressure}, {"N", Dimension::force}, {"rad", Dimension::angle}};
 
 constexpr std::pair<const char*, double> label_prefixes[] = {{"T", 1e12},  {"G", 1e9},   {"M", 1e6},         {"k", 1e3},
                                                              {"", 1},      {"m", 1e-3},  {"\xc2\xb5", 1e-6}, {"n", 1e-9},
@@ -24,6 +23,7 @@ constexpr std::pair<const char*, double> label_prefixes[] = {{"T", 1e12},  {"G",
 }  // namespace
 
 std::optional<Unit> find_unit(std::string_view name) {
+  if (const auto metres = metres_per(name)) return Unit{Dimension::length, *metres};
   if (name == "%") return Unit{Dimension::share, 0.01};
   if (name == "deg") return Unit{Dimension::angle, 3.14159265358979323846 / 180};
   for (const auto& [symbol, dimension] : symbols) {
@@ -41,7 +41,7 @@ const char* name_of(Dimension dimension) {
 }
 
 const char* units_of(Dimension dimension) {
-  if (dimension == Dimension::length) return "m with an SI prefix (mm, um, nm)";
+  if (dimension == Dimension::length) return rc::formats::known_lengths.data();
   if (dimension == Dimension::pressure) return "Pa with an SI prefix (kPa, MPa, GPa)";
   if (dimension == Dimension::share) return "%, at most 100 %";
   return dimension == Dimension::force ? "N with an SI prefix (uN, mN, kN)" : "deg or rad";

@@ -14,8 +14,8 @@ struct Unit {
   double factor;  // SI units (m, Pa, N, rad) in one of these
 };
 
-// m, Pa, N or rad with any SI prefix, deg or %. Capitals count: mN and MN, mPa and MPa differ. Micro is u, U+00B5, U+03BC or
-// Latin-1. Nothing if the text is no such unit.
+// A length as files name it; Pa, N or rad with any SI prefix, deg or %. Capitals count: mN and MN, mPa and MPa differ. Micro is
+// u, U+00B5, U+03BC or Latin-1. Nothing if the text is no such unit.
 std::optional<Unit> find_unit(std::string_view name);
 
 // "a pressure", "Pa with an SI prefix (kPa, MPa, GPa)".

@@ -19,7 +19,7 @@ module roughcontact_formats_interface
     real(c_double) :: hx = 0, hy = 0
     type(c_ptr) :: heights = c_null_ptr  ! double *
     integer(c_int64_t) :: missing = 0
-    integer(c_int32_t) :: periodic = -1, reserved = 0
+    integer(c_int32_t) :: periodic = -1, unit_assumed = 0
     character(kind=c_char) :: format(32) = c_null_char, assumed(400) = c_null_char
     type(c_ptr) :: storage = c_null_ptr  ! void *
   end type
@@ -48,6 +48,10 @@ module roughcontact_formats_interface
     subroutine rc_surface_file_free(file) bind(c); import
       type(rc_surface_file), intent(inout) :: file
     end subroutine
+    integer(rc_status) function rc_surface_unit(name, metres) bind(c); import
+      character(kind=c_char), intent(in) :: name(*)
+      real(c_double), intent(inout) :: metres
+    end function
     integer(c_int64_t) function rc_surface_format_count() bind(c); import
     end function
     integer(rc_status) function rc_surface_format_describe(index, out) bind(c); import

@@ -41,6 +41,9 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
   memcpy(mxGetPr(plhs[0]), file->heights, (size_t)file->nx * (size_t)file->ny * sizeof *file->heights);
   const rc_surface_file read = *file;
   rc_surface_file_free(file);
+  if (read.unit_assumed)
+    mexWarnMsgIdAndTxt("roughcontact:assumed_unit",
+                       "rc_surface_read: %s does not name the unit of all its lengths: m is taken; give opts.unit", path);
   if (nlhs < 2) return;
   static const char* names[] = {"hx", "hy", "missing", "periodic", "format", "assumed"};
   plhs[1] = mxCreateStructMatrix(1, 1, sizeof names / sizeof *names, names);

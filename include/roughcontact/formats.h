@@ -31,9 +31,9 @@ RC_API const char *rc_surface_read_last_error(void);
 typedef struct rc_surface_read_spec {
   size_t struct_size;  /* sizeof(rc_surface_read_spec)                                                       */
   const char *format;  /* name of a format; NULL: by the contents, else by the suffix of the file's name     */
-  const char *unit;    /* of lengths whose unit the file does not name, and of hx and hy: "m" with an SI prefix ("um");
-                          NULL: "m"                                                                          */
-  double hx, hy;       /* pitch, replaces the file's; both 0: the file's                                      */
+  const char *unit;    /* of lengths whose unit the file does not name, and of hx and hy, as rc_surface_unit knows it;
+                          NULL: "m". If the file names the units of all its lengths, it must be theirs       */
+  double hx, hy;       /* pitch of a file that has none; a file's own must be the same to 1e-6. Both 0: the file's    */
 } rc_surface_read_spec;
 #define RC_SURFACE_READ_SPEC_INIT RC_BEGIN(rc_surface_read_spec)
 
@@ -45,7 +45,7 @@ typedef struct rc_surface_file {
   double *heights;     /* [nx*ny] [m], NaN where a point is missing; the caller may change them              */
   int64_t missing;     /* points                                                                            */
   int32_t periodic;    /* 1: the surface repeats; 0: the file says that it does not; -1: the file does not say */
-  int32_t reserved;
+  int32_t unit_assumed; /* 1: the file does not name the units of all its lengths, and none was given: m is taken    */
   char format[32];     /* name of the format that was recognised                                             */
   char assumed[400];   /* assumptions about what the file leaves open, one sentence after the other; "" if none       */
   void *storage;       /* the library's own                                                                 */
@@ -55,7 +55,7 @@ typedef struct rc_surface_file {
 
 /** Reads the first map of a file. spec: NULL is RC_SURFACE_READ_SPEC_INIT. *out is overwritten, and its earlier memory is not
  *  freed. Errors: ARGUMENT (also a file that cannot be opened, is damaged or of no known format; a unit that is no
- *  length), MEMORY. */
+ *  length; a unit or pitch that contradicts the file), MEMORY. */
 RC_API rc_status rc_surface_read(const char *path, const rc_surface_read_spec *spec, rc_surface_file *out);
 
 /** The same for a file in memory, data [size], which is only read. name: NULL, or the file's name, for its suffix and for
@@ -65,6 +65,10 @@ RC_API rc_status rc_surface_read_memory(const void *data, size_t size, const cha
 
 /** Frees the memory that a call has allocated, and resets the struct except its struct_size. NULL and new structs are allowed. */
 RC_API void rc_surface_file_free(rc_surface_file *file);
+
+/** Metres per unit of length: "m" with any SI prefix, "A" (angstrom), "micron", or such a name spelt out ("millimetres").
+ *  Errors: ARGUMENT (the name is no length). */
+RC_API rc_status rc_surface_unit(const char *name, double *metres);
 
 /** A format that can be read. The texts live as long as the library. */
 typedef struct rc_surface_format {

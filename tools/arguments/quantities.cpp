@@ -1,5 +1,6 @@
 #include "arguments/quantities.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -65,11 +66,7 @@ std::vector<Quantity> read_quantities(std::string_view option, const std::vector
   return quantities;
 }
 
-double length_unit(const std::optional<std::string>& name) {
-  if (!name) return 1;
-  if (const auto metres = metres_per(*name)) return *metres;
-  throw Error("--unit: ", in_quotes(*name), " is not a length unit, give ", units_of(Dimension::length));
-}
+double length_unit(const std::optional<std::string>& name) { return bare_unit("--unit", name).metres; }
 
 std::optional<Pitch> pitch_argument(const std::optional<std::string>& text, double unit) {
   if (!text) return std::nullopt;
@@ -79,21 +76,17 @@ std::optional<Pitch> pitch_argument(const std::optional<std::string>& text, doub
   for (const Quantity& pitch : given) {
     if (!(pitch.number > 0)) throw Error("--pitch: ", in_quotes(*text), " is not positive");
   }
-  return Pitch{given.front(), given.back()};
+  const auto bare = [](std::string_view part) { return take_apart("--pitch", part).unit.empty(); };
+  return Pitch{given.front(), given.back(), std::ranges::any_of(parts, bare)};
 }
 
-std::string settle_pitch(const std::optional<Pitch>& given, const std::string& file, Surface& surface) {
-  std::string note;
+void settle_pitch(const std::optional<Pitch>& given, Surface& surface) {
   const bool in_file = surface.hx && surface.hy;
-  if (!given && !in_file) throw Error(file, ": the file does not say its pitch, give --pitch H or --pitch HX,HY");
-  if (given && in_file) {
-    note = format("--pitch is used instead of the pitch %g m, %g m of the file", *surface.hx, *surface.hy);
-  }
-  if (given) {
-    surface.hx = given->x.si();
-    surface.hy = given->y.si();
-  }
-  return note;
+  if (!given && !in_file) throw Error(surface.file, ": the file does not say its pitch, give --pitch H or --pitch HX,HY");
+  if (!given) return;
+  refuse_another_pitch("--pitch", given->x.si(), given->y.si(), surface);
+  surface.hx = given->x.si();
+  surface.hy = given->y.si();
 }
 
 }  // namespace cli

@@ -35,12 +35,13 @@ double length_unit(const std::optional<std::string>& name);
 
 struct Pitch {
   Quantity x, y;
+  bool bare;  // without a unit
 };
 
 // --pitch, of which numbers alone are in `unit`.
 std::optional<Pitch> pitch_argument(const std::optional<std::string>& text, double unit);
 
-// Puts the given pitch into the surface, or checks that the file has one. Returns a note for the user, or "".
-std::string settle_pitch(const std::optional<Pitch>& given, const std::string& file, rc::formats::Surface& surface);
+// Puts the given pitch into a surface that has none; refuses one that differs from the file's.
+void settle_pitch(const std::optional<Pitch>& given, rc::formats::Surface& surface);
 
 }  // namespace cli

@@ -8,8 +8,9 @@ void add_surface(Command& command, SurfaceArguments& surface, const char* missin
   if (!rows) {
     command.add("Surface", {{"--format", &surface.format, "NAME", "File format, if neither contents nor extension shows it"}});
   }
-  command.add("Surface", {{"--pitch", &surface.pitch, "H or HX,HY", "Cell size; needed if the file has none"},
-                          {"--unit", &surface.unit, "UNIT", "Unit of lengths without a unit: m (default), mm, um, nm, pm"},
+  command.add("Surface", {{"--pitch", &surface.pitch, "H or HX,HY", "Cell size of a file that has none"},
+                          {"--unit", &surface.unit, "UNIT",
+                           "Unit of lengths without a unit, on the command line and in files: m (default), mm, um, nm, A"},
                           {"--missing", &surface.missing, "RULE", missing_help}});
   if (!rows) {
     command.add("Surface",

@@ -64,7 +64,7 @@ std::vector<double> StepFiles::indentation() const {
 
 std::vector<double> StepFiles::values(const char* stem, std::size_t number) const {
   const std::string name = run_.step_name(stem, number, "npy");
-  const Surface read = read_surface(run_.files().path(name), 1, "npy");
+  const Surface read = read_surface(run_.files().path(name), {}, "npy");
   if (read.nx != problem_.system.nx || read.ny != problem_.system.ny)
     throw Error("--resume: ", name, " has ", read.nx, " x ", read.ny, " points, the surface has ", problem_.system.nx, " x ",
                 problem_.system.ny);

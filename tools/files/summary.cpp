@@ -52,6 +52,7 @@ Summary::Summary(const Problem& problem, const std::string& checksum) {
                  {"removed", problem.input.removed},
                  {"missing", problem.input.missing},
                  {"missing_rule", problem.input.missing_rule},
+                 {"assumed", problem.input.assumed},
                  {"checksum", checksum},
                  {"modulus", system.modulus},
                  {"boundary", std::string(name_of_boundary(system.boundary))},

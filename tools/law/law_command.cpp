@@ -202,8 +202,6 @@ PatchLaw make_law(LawArguments& arguments) {
   check(rc_gap_from_heights(static_cast<std::int64_t>(gap.size()), heights.data(), mask, gap.data()), "");
   spec.undeformed_gap = gap.data();
   spec.mask = mask;
-  for (const std::string& note : problem.input.notes) report(note);
-
   Context context;
   const Options options = make_options(context, default_threads(problem.system.nx * problem.system.ny), problem.options);
   PatchLaw law;
@@ -212,7 +210,9 @@ PatchLaw make_law(LawArguments& arguments) {
   law.handle.reset(handle);
   check_law(law.status, law.status == RC_ERR_INFEASIBLE ? "--pressure" : "");
   if (law.status > 0) law.remark = in_options(last_message());
+  for (const std::string& note : problem.input.notes) report(note);
   context.report_log();
+  law.assumed = problem.input.assumed;
   law.source = rc_platform::path_of(problem.input.file).filename().string() +
                format(", %lld x %lld points, pitch ", static_cast<long long>(problem.system.nx),
                       static_cast<long long>(problem.system.ny)) +

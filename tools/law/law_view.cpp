@@ -87,6 +87,7 @@ std::string law_document(const PatchLaw& law, const std::vector<LawRow>& rows) {
   document.end();
   document.begin("law");
   document.add({{"source", law.source},
+                {"assumed", law.assumed},
                 {"status", rc_status_name(law.status)},
                 {"message", law.remark},
                 {"bounds", bounds_name(info.bounds)},

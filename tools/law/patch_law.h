@@ -31,6 +31,7 @@ struct PatchLaw {
   rc_law_info info = RC_LAW_INFO_INIT;  // in the law's units
   LawUnits units{};
   std::string source{};      // the name of its file, and how the surface was prepared
+  std::string assumed{};     // of its surface, as SurfaceInput has it
   rc_status status = RC_OK;  // of making it
   std::string remark{};      // why the status is not RC_OK
 

@@ -72,7 +72,13 @@ RowProblem read_problem(const Communicator& ranks, const SolveArguments& argumen
 
   const auto layout = read_layout(ranks, input.file);
   const std::int64_t nx = input.surface.nx = layout.nx, ny = input.surface.ny = layout.ny;
-  settle_pitch(pitch, input.file, input.surface);
+  input.surface.file = input.file;
+  input.surface.lengths.push_back({"heights", "", unit});
+  settle_pitch(pitch, input.surface);
+  rc::formats::Surface other;
+  other.file = input.against;
+  if (!input.against.empty()) other.lengths = input.surface.lengths;
+  settle_units(arguments.surface, &other, input);
   problem.system.hx = *input.surface.hx;
   problem.system.hy = *input.surface.hy;
   problem.system.nx = nx;

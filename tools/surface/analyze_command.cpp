@@ -157,6 +157,7 @@ std::string document(const Analysis& a) {
                    {"removed", a.input.removed},
                    {"missing", a.input.missing},
                    {"missing_rule", a.input.missing_rule},
+                   {"assumed", a.input.assumed},
                    {"periodic", a.periodic}});
   object("statistics", {{"rms_height", s.rms_height},
                         {"skewness", s.skewness},
@@ -209,7 +210,6 @@ std::string document(const Analysis& a) {
 
 void analyze(const AnalyzeArguments& arguments) {
   const Analysis analysis = make_analysis(arguments);
-  for (const std::string& note : analysis.input.notes) report(note);
   if (arguments.json) {
     const std::string text = document(analysis);
     write_whole_file(rc_platform::path_of(*arguments.json), text);
@@ -217,6 +217,7 @@ void analyze(const AnalyzeArguments& arguments) {
   if (arguments.picture) {
     write_picture(*arguments.picture, [&](std::FILE* file) { return draw_spectrum(analysis, file); });
   }
+  for (const std::string& note : analysis.input.notes) report(note);
   print(analysis);
 }
 

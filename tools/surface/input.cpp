@@ -10,6 +10,7 @@
 #include "formats/form.h"
 #include "formats/missing.h"
 #include "formats/registry.h"
+#include "formats/units.h"
 #include "platform/files.h"
 #include "surface/shapes.h"
 #include "text.h"
@@ -50,26 +51,20 @@ void settle_missing(MissingRule rule, bool can_exclude, SurfaceInput& input) {
   }
 }
 
-Surface read_file(const std::string& path, double unit, const std::optional<std::string>& format = std::nullopt) {
+Surface read_file(const std::string& path, const BareUnit& bare, const std::optional<std::string>& format = std::nullopt) {
   try {
-    return read_surface(rc_platform::path_of(path), unit, format);
+    return read_surface(rc_platform::path_of(path), bare, format);
   } catch (...) {
     silence_hdf5();
     throw;
   }
 }
 
-// Adds the heights of the other body, which face those of the surface at the same points.
-void add_other(const SurfaceArguments& arguments, double unit, SurfaceInput& input) {
-  constexpr double same_pitch = 1e-6;  // relative; files round it
-  if (!arguments.against) return;
-  input.against = *arguments.against;
+// Adds the heights of the other body, which face those of the surface at the same points. Both together repeat if each does.
+void add_other(const Surface& other, SurfaceInput& input) {
   Surface& surface = input.surface;
-  const Surface other = read_file(input.against, unit);
-  if (!other.note.empty()) input.notes.push_back("note: " + other.note);
   const double hx = other.hx.value_or(*surface.hx), hy = other.hy.value_or(*surface.hy);
-  const auto near = [](double a, double b) { return std::abs(a - b) <= same_pitch * b; };
-  if (other.nx != surface.nx || other.ny != surface.ny || !near(hx, *surface.hx) || !near(hy, *surface.hy)) {
+  if (other.nx != surface.nx || other.ny != surface.ny || !same_pitch(hx, *surface.hx) || !same_pitch(hy, *surface.hy)) {
     const auto grid = [](std::int64_t nx, std::int64_t ny, double x, double y) {
       return format("%lld x %lld points, pitch %s x %s", static_cast<long long>(nx), static_cast<long long>(ny),
                     with_prefix(x, "m", 7).c_str(), with_prefix(y, "m", 7).c_str());
@@ -78,6 +73,8 @@ void add_other(const SurfaceArguments& arguments, double unit, SurfaceInput& inp
                 grid(surface.nx, surface.ny, *surface.hx, *surface.hy), ": give two maps on the same grid");
   }
   for (std::size_t i = 0; i < surface.heights.size(); ++i) surface.heights[i] += other.heights[i];
+  if (surface.periodic == true) surface.periodic = other.periodic;
+  if (other.periodic == false) surface.periodic = false;
 }
 
 }  // namespace
@@ -96,6 +93,24 @@ std::string SurfaceInput::preparation() const {
 
 double unit_of(const SurfaceArguments& arguments) { return length_unit(arguments.unit); }
 
+void settle_units(const SurfaceArguments& arguments, const Surface* other, SurfaceInput& input) {
+  const BareUnit unit = bare_unit("--unit", arguments.unit);
+  if (other) {
+    check_units(unit, {&input.surface, other});
+  } else {
+    check_units(unit, {&input.surface});
+  }
+  if (unit.given) return;
+  const auto add = [&input](const std::string& lengths) { input.assumed += (input.assumed.empty() ? "" : ", ") + lengths; };
+  for (const Surface* const surface : {static_cast<const Surface*>(&input.surface), other}) {
+    if (surface && !bare_lengths(*surface).empty()) add(bare_lengths(*surface) + " of " + surface->file);
+  }
+  if (const auto pitch = pitch_argument(arguments.pitch, unit.metres); pitch && pitch->bare) add("--pitch");
+  if (input.assumed.empty()) return;
+  input.assumed = "lengths without a unit are taken in m (" + input.assumed + ")";
+  input.notes.push_back("note: " + input.assumed + "; --unit names another");
+}
+
 SurfaceInput read_input(const SurfaceArguments& arguments, bool can_exclude) {
   SurfaceInput input;
   const double unit = unit_of(arguments);
@@ -113,13 +128,21 @@ SurfaceInput read_input(const SurfaceArguments& arguments, bool can_exclude) {
   input.shape = arguments.shape.value_or("");
 
   input.file = arguments.file;
-  input.surface = read_file(input.file, unit, arguments.format);
+  const BareUnit bare = bare_unit("--unit", arguments.unit);
+  input.surface = read_file(input.file, bare, arguments.format);
   const auto note = [&input](const std::string& text) {
     if (!text.empty()) input.notes.push_back("note: " + text);
   };
   note(input.surface.note);
-  note(settle_pitch(given_pitch, input.file, input.surface));
-  add_other(arguments, unit, input);
+  settle_pitch(given_pitch, input.surface);
+  std::optional<Surface> other;
+  if (arguments.against) {
+    input.against = *arguments.against;
+    other = read_file(input.against, bare);
+    note(other->note);
+  }
+  settle_units(arguments, other ? &*other : nullptr, input);
+  if (other) add_other(*other, input);
   try {
     input.missing = count_missing(input.surface);
     remove_form(form, input.surface);

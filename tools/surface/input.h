@@ -28,6 +28,7 @@ struct SurfaceInput {
   std::int64_t missing = 0;        // points
   std::string missing_rule;        // what was done with them: "reject" (there are none), "fill" or "exclude"
   std::vector<std::uint8_t> mask;  // 0: excluded; empty if no point is
+  std::string assumed;  // the unit that is taken for lengths without one, in words; "" if there is none or it was given
   std::vector<std::string> notes;  // what the user should know about the choices made
 
   // ", against other.gsf, plane removed, 12 missing points filled": what was done to the heights, for a line of text; "" if
@@ -46,6 +47,9 @@ template <class Struct> Struct on_grid(const rc::formats::Surface& surface, Stru
 
 // Metres per --unit.
 double unit_of(const SurfaceArguments& arguments);
+
+// Checks --unit against the files, and notes what is assumed if it was not given. other: null if there is no other body.
+void settle_units(const SurfaceArguments& arguments, const rc::formats::Surface* other, SurfaceInput& input);
 
 // Throws an Error at the first argument that is wrong, before the file is read. `can_exclude`: whether the caller can leave
 // points out.

@@ -59,6 +59,7 @@ from ._history_result import HistoryResult as HistoryResult
 from ._law import Law as Law, law as law
 from .result import Accuracy as Accuracy, BatchResult as BatchResult, Grid as Grid, Level as Level, Result as Result
 from ._solve import history as history, solve as solve
+from ._units import AssumedUnit as AssumedUnit
 from .surface import example as example
 from .system import (
     AssumedBoundary as AssumedBoundary,

@@ -17,9 +17,9 @@ from ._data_arrays import in_order
 from ._errors import ArgumentError, ShapeError, as_status
 from ._library import contact_library
 from ._files import is_file
-from ._height_map import gap_below
-from ._keywords import options_of, prescribed, refuse_two_sources
-from ._maps import as_surface
+from ._height_map import gap_below, same_pitch
+from ._keywords import in_metres, options_of, prescribed, refuse_two_sources
+from ._maps import as_surface, gap_and_pitch, gap_in_metres
 from ._progress import Bars
 from ._status import Status
 from ._structs import rc_batch, rc_batch_fn, rc_batch_progress_fn
@@ -56,6 +56,7 @@ def batch(
     E: Optional[Constant] = None,
     nu: Optional[Constant] = None,
     boundary: Optional[str] = None,
+    unit: Optional[str] = None,
     hardness: Optional[float] = None,
     options: Options = None,
     progress: bool = False,
@@ -83,8 +84,8 @@ def batch(
     the others: as in `solve`
     """
     modulus, options = modulus_of(modulus, E, nu), options_of(batch, options, keywords, context)
-    system, gaps, masks = _surfaces(heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, hardness)
-    what = prescribed(system, approach=approach, load=load, pressure=pressure)
+    system, gaps, masks = _surfaces(heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit, hardness)
+    what = prescribed(system, approach=in_metres(approach, unit), load=load, pressure=pressure)
     targets = np.atleast_1d(as_doubles(what.targets, what.name))
     if targets.ndim > 2:
         raise ShapeError(f"{what.name} has {targets.ndim} axes: [contacts, steps], [steps] or one number")
@@ -170,17 +171,18 @@ def _surfaces(
     pitch: Optional[Pitch],
     modulus: Optional[float],
     boundary: Optional[str],
+    unit: Optional[str],
     hardness: Optional[float],
 ) -> Tuple[System, Doubles, Optional[Mask]]:
     """(system, gaps, masks), the arrays with an axis for contacts where they are not shared."""
-    given: Any = {"pitch": pitch, "modulus": modulus, "boundary": boundary, "hardness": hardness}
+    given: Any = {"pitch": pitch, "modulus": modulus, "boundary": boundary, "unit": unit, "hardness": hardness}
     refuse_two_sources(heights, undeformed_gap, system, **given)
     periodic: Optional[bool] = None
     if heights is not None and _is_sequence_of_surfaces(heights):
         if mask is not None:
             raise ArgumentError("mask and a sequence of surfaces are both given; surfaces bring their masks")
-        each = [as_surface(one, pitch, missing=missing) for one in heights]
-        if any(one.shape != each[0].shape or one.pitch != each[0].pitch for one in each):
+        each = [as_surface(one, pitch, missing=missing, unit=unit) for one in heights]
+        if any(one.shape != each[0].shape or not same_pitch(one.pitch, each[0].pitch) for one in each):
             raise ShapeError("the surfaces differ in shape or pitch; a batch has one grid")
         if system is not None:
             refuse_another_pitch(each[0], system)
@@ -196,15 +198,17 @@ def _surfaces(
         axes = 0 if alone else np.ndim(in_order(heights))
         leading = 0 if alone or axes == (2 if system is None else len(system.shape)) else 1
         otherwise = None if system is None else system.pitch
-        surface = as_surface(heights, pitch, mask=mask, missing=missing, leading=leading, otherwise=otherwise)
+        surface = as_surface(heights, pitch, mask=mask, missing=missing, unit=unit, leading=leading, otherwise=otherwise)
         gaps, masks = gap_below(surface.heights, surface.mask, leading), surface.mask
         if system is not None:
             refuse_another_pitch(surface, system)
         pitch, periodic = surface.pitch, surface.periodic
     else:
-        gaps, masks = as_doubles(undeformed_gap, "undeformed_gap"), as_mask(mask, "mask")  # type: ignore[arg-type]
+        gaps, masks = as_doubles(gap_in_metres(undeformed_gap, unit), "undeformed_gap"), as_mask(mask, "mask")
         if system is None:
             refuse_one_row(gaps, "undeformed_gap", pitch)
+            if pitch is not None:
+                _, pitch = gap_and_pitch(undeformed_gap, pitch, unit)
     if system is None:
         modulus = needed_modulus(modulus, None, None, ", or system=")
         if pitch is None:

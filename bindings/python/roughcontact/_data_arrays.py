@@ -7,23 +7,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._errors import ArgumentError
+from ._units import KNOWN, metres_of, metres_per
 
 _AXES = {"x": "x", "column": "x", "columns": "x", "col": "x", "y": "y", "row": "y", "rows": "y"}
 _REGULAR = 1e-2  # how far a coordinate may be off its place, in pitches
-
-METRES: Dict[str, float] = {
-    "km": 1e3,
-    "m": 1.0,
-    "mm": 1e-3,
-    "um": 1e-6,
-    "\u00b5m": 1e-6,
-    "\u03bcm": 1e-6,
-    "nm": 1e-9,
-    "A": 1e-10,
-    "\u00c5": 1e-10,
-    "pm": 1e-12,
-}
-_SPELT = {"meter": "m", "millimeter": "mm", "micrometer": "um", "micron": "um", "nanometer": "nm", "angstrom": "A"}
 
 
 @dataclass(frozen=True)
@@ -72,10 +59,9 @@ def _unit(thing: Any, what: str) -> Optional[str]:
     unit = _attribute(thing, "units", "unit")
     if unit is None or str(unit) == "":
         return None
-    spelt = _SPELT.get(str(unit).lower().rstrip("s").replace("metre", "meter"), str(unit))
-    if spelt not in METRES:
-        raise ArgumentError(f"the unit of {what} is {unit!r}, not a length: {', '.join(METRES)}")
-    return spelt
+    if metres_per(str(unit)) is None:
+        raise ArgumentError(f"the unit of {what} is {unit!r}, not a length: {KNOWN}")
+    return str(unit)
 
 
 def _pitch(values: NDArray[Any], name: str) -> Optional[float]:
@@ -115,6 +101,6 @@ def described(thing: Any) -> Optional[Described]:
     for axis, own in lateral.items():
         pitch = found[axis]
         if own is not None and unit is not None and pitch is not None:
-            found[axis] = pitch * METRES[own] / METRES[unit] if own != unit else pitch
+            found[axis] = pitch * metres_of(own) / metres_of(unit) if own != unit else pitch
     stated = [each for each in repeats if each is not None]
     return Described(found["x"], found["y"], unit, all(stated) if stated else None)

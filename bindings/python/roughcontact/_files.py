@@ -11,10 +11,10 @@ import numpy as np
 from ._arrays import Pitch, as_pitch, as_text, given
 from ._calls import check_formats, of_a_file, short_traceback
 from ._errors import ArgumentError
-from ._data_arrays import METRES
-from ._height_map import Surface
+from ._height_map import Surface, same_pitch
 from ._library import formats_library
 from ._structs import rc_surface_file, rc_surface_format, rc_surface_read_spec
+from ._units import AssumedUnit, metres_of, warn
 
 PACKAGE = "SurfaceTopography"
 File = Union[str, "os.PathLike[str]", bytes, IO[bytes]]
@@ -51,8 +51,9 @@ def read(file: File, *, pitch: Optional[Pitch] = None, unit: Optional[str] = Non
     """A surface from a file; heights and pitch in metres, NaN where a point is missing.
 
     file: a path, an open binary file, or the bytes of one
-    pitch: one number or (hx, hy) [unit]; needed if the file has none, otherwise replaces the file's
-    unit: of lengths whose unit the file does not name, and of pitch: "um"; None: "m"
+    pitch: one number or (hx, hy) [unit]; needed if the file has none, otherwise equal to the file's
+    unit: of lengths whose unit the file does not name, and of pitch: "um"; None: "m", with an `AssumedUnit` warning if the file
+        leaves a unit open
     format: one of `formats()`, or one of the package SurfaceTopography ("opd"); None: by the contents, else by the suffix
 
     `assumed` of the surface lists what the file leaves open. A file whose suffix or format is none of `formats()` is read by the
@@ -69,13 +70,42 @@ def surface_in(
     otherwise: Optional[Pitch] = None,
 ) -> Surface:
     """`read`, with a pitch in metres for files that do not say theirs."""
+    found, assumes_metres = surface_and_doubt(file, pitch, unit, format, otherwise)
+    if assumes_metres:
+        warn(
+            f"{_name_of(file) or 'the file'} does not name the unit of all its lengths: m is taken; pass unit='m' if that is right, "
+            "else their unit",
+            AssumedUnit,
+        )
+    return found
+
+
+def other_surface_in(file: File, unit: Optional[str], otherwise: Pitch) -> Surface:
+    """The file of another body; unit is passed over if the file names the units of all its lengths."""
+    start = cast(IO[bytes], file).tell() if unit is not None and _is_open(file) else 0
+    if unit is None:
+        return surface_in(file, otherwise=otherwise)
+    found, assumes_metres = surface_and_doubt(file, None, None, None, otherwise)
+    if assumes_metres and _is_open(file):
+        cast(IO[bytes], file).seek(start)
+    return surface_in(file, None, unit, None, otherwise) if assumes_metres else found
+
+
+def _name_of(file: File) -> str:
+    name: Any = "" if isinstance(file, bytes) else getattr(file, "name", "") if _is_open(file) else os.fspath(cast(Any, file))
+    return name if isinstance(name, str) else ""
+
+
+def surface_and_doubt(
+    file: File, pitch: Optional[Pitch], unit: Optional[str], format: Optional[str], otherwise: Optional[Pitch]
+) -> Tuple[Surface, bool]:
+    """The surface, and whether metres are assumed for some of its lengths."""
     spec = given(rc_surface_read_spec(), format=_text(format, "format"), unit=_text(unit, "unit"))
     if pitch is not None:
         spec.hx, spec.hy = as_pitch(pitch)
     library, out = formats_library(), rc_surface_file()
     contents = file if isinstance(file, bytes) else None
-    name: Any = "" if isinstance(file, bytes) else getattr(file, "name", "") if _is_open(file) else os.fspath(cast(Any, file))
-    name = name if isinstance(name, str) else ""
+    name = _name_of(file)
     if _is_open(file):
         contents = cast(IO[bytes], file).read()
         if not isinstance(contents, bytes):
@@ -103,12 +133,12 @@ def surface_in(
     try:
         heights = np.ctypeslib.as_array(out.heights, (out.ny, out.nx)).copy()
         assumed, sides = out.assumed.decode(errors="replace"), (out.hx, out.hy)
-        periodic = None if out.periodic < 0 else bool(out.periodic)
+        periodic, unit_assumed = None if out.periodic < 0 else bool(out.periodic), bool(out.unit_assumed)
     finally:
         library.rc_surface_file_free(out)
     if not min(sides) > 0:
         sides = _pitch_or_error(otherwise, name)
-    return Surface(heights, sides, periodic, None, "m", assumed)
+    return Surface(heights, sides, periodic, None, "m", assumed), unit_assumed
 
 
 def _pitch_or_error(pitch: Optional[Pitch], name: str) -> Tuple[float, float]:
@@ -133,7 +163,7 @@ def _read_by_surface_topography(
     format: Optional[str],
     otherwise: Optional[Pitch],
     error: ArgumentError,
-) -> Surface:
+) -> Tuple[Surface, bool]:
     """error: why this library does not read the file."""
     try:
         package = importlib.import_module(PACKAGE)
@@ -151,16 +181,22 @@ def _read_by_surface_topography(
         heights = np.ma.filled(np.ma.asarray(topography.heights(), np.float64), np.nan).T  # its x is the first axis
     except Exception as other:
         raise ArgumentError(f"{error}; nor does SurfaceTopography: {type(other).__name__}: {other}") from other
-    factor = METRES.get(str(own or unit or "m"))
-    if factor is None:
-        raise ArgumentError(f"{name}: the unit {own or unit!r} is not a length unit; one of {', '.join(METRES)} is needed")
-    if pitch is not None:
-        hx, hy = (side * METRES[unit or "m"] for side in as_pitch(pitch))
-    elif sizes is not None:
+    factor, bare = metres_of(str(own or unit or "m")), metres_of(unit or "m")
+    if own and unit is not None and factor != bare:
+        raise ArgumentError(
+            f"{name}: the unit of the lengths is {own} in the file, but the unit given is {unit}, which is that of lengths without a "
+            "unit; leave it out, or correct the file"
+        )
+    if sizes is not None:
         hx, hy = sizes[0] / heights.shape[1] * factor, sizes[1] / heights.shape[0] * factor
+        sides = (hx, hy) if pitch is None else tuple(side * bare for side in as_pitch(pitch))
+        if not same_pitch((hx, hy), (sides[0], sides[1])):
+            raise ArgumentError(f"pitch is {sides} m, but {name} has its own, {(hx, hy)} m; leave the pitch out")
+    elif pitch is not None:
+        hx, hy = (side * bare for side in as_pitch(pitch))
     else:
         hx, hy = _pitch_or_error(otherwise, name)
     assumed = f"read by the package SurfaceTopography, as {reader.format()}"
     assumed += "" if own else "; lengths without a unit are in " + (unit or "m")
     periodic = getattr(topography, "is_periodic", False) or None  # the package says False where a file says nothing
-    return Surface(np.ascontiguousarray(heights * factor), (hx, hy), periodic, None, "m", assumed)
+    return Surface(np.ascontiguousarray(heights * factor), (hx, hy), periodic, None, "m", assumed), not own and unit is None

@@ -117,6 +117,7 @@ class FormatsFunctions(Protocol):
     rc_surface_read: Callable[[text, rc_surface_read_spec, rc_surface_file], rc_status]
     rc_surface_read_memory: Callable[[handle, size_t, text, rc_surface_read_spec, rc_surface_file], rc_status]
     rc_surface_file_free: Callable[[rc_surface_file], None]
+    rc_surface_unit: Callable[[text, doubles], rc_status]
     rc_surface_format_count: Callable[[], int64_t]
     rc_surface_format_describe: Callable[[int64_t, rc_surface_format], rc_status]
     rc_surface_remove_form: Callable[[int64_t, int64_t, int32_t, doubles], rc_status]

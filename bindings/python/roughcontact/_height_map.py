@@ -10,10 +10,11 @@ from numpy.typing import NDArray
 from . import _constants
 from ._arrays import Doubles, Mask, as_doubles, as_mask, as_pitch, columns_and_rows, pointer, refuse_one_row, without_masked
 from ._calls import check, check_formats
-from ._data_arrays import METRES, described
+from ._data_arrays import described
 from ._errors import ArgumentError, ShapeError
 from ._library import contact_library, formats_library
 from ._surface_writer import save_surface
+from ._units import metres_of
 
 FORMS = {
     "mean": _constants.RC_SURFACE_FORM_MEAN,
@@ -31,7 +32,7 @@ class Surface:
     pitch: (hx, hy) distance of neighbouring points along the last and along the first axis [length]; one number for both
     periodic: True: the surface repeats; False: it ends at its edges; None: not known
     mask: [ny, nx] 0 where a point is missing; None: all are there
-    unit: of all lengths, if it is known ("um")
+    unit: of all lengths, if it is known ("um"); whatever presses or analyses the surface then does so in metres
     assumed: assumptions about what a file leaves open; "" for surfaces that were not read
     """
 
@@ -100,10 +101,7 @@ class Surface:
         """The same surface with its lengths in another unit."""
         if self.unit is None:
             raise ArgumentError(f"the surface does not say its unit, so it cannot be given in {unit!r}; leave unit out")
-        for each in (unit, self.unit):
-            if each not in METRES:
-                raise ArgumentError(f"unit {each!r} is not one of {', '.join(METRES)}")
-        factor = METRES[self.unit] / METRES[unit]
+        factor = metres_of(self.unit) / metres_of(unit)
         return replace(self, heights=self.heights * factor, pitch=(self.pitch[0] * factor, self.pitch[1] * factor), unit=unit)
 
     def __add__(self, other: Any) -> "Surface":
@@ -113,8 +111,12 @@ class Surface:
             other = other.in_unit(self.unit)
         if other.shape != self.shape:
             raise ShapeError(f"surfaces of {self.shape} and {other.shape} points cannot be added; both need the same grid")
-        if not np.allclose(other.pitch, self.pitch, rtol=1e-9, atol=0):
+        if not same_pitch(other.pitch, self.pitch):
             raise ArgumentError(f"surfaces with pitch {self.pitch} and {other.pitch} cannot be added; both need the same grid")
+        if (other.unit is None) != (self.unit is None):
+            raise ArgumentError(
+                f"one surface is in {self.unit or other.unit!r}, the other says no unit; give it one, Surface(..., unit=)"
+            )
         repeat = (self.periodic, other.periodic)
         mask = None if self.mask is None and other.mask is None else (~(self.missing | other.missing)).view(np.uint8)
         return replace(
@@ -122,7 +124,6 @@ class Surface:
             heights=self.heights + other.heights,
             periodic=False if False in repeat else None if None in repeat else True,
             mask=mask,
-            unit=self.unit or other.unit,
             assumed="; ".join(dict.fromkeys(each for each in (self.assumed, other.assumed) if each)),
         )
 
@@ -147,6 +148,11 @@ class Stack(Surface):
     """Surfaces on one grid; the first axis counts them."""
 
     _leading: ClassVar[int] = 1
+
+
+def same_pitch(one: Tuple[float, float], other: Tuple[float, float]) -> bool:
+    """Files round them."""
+    return np.allclose(one, other, rtol=1e-6, atol=0)
 
 
 def refuse_contradiction(

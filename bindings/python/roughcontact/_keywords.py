@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 from . import _constants
 from ._elastic import refuse_text
 from ._errors import ArgumentError
+from ._units import metres_of
 from .context import Context, Options, options as all_options
 from .system import System
 
@@ -80,6 +81,14 @@ def prescribed(system: System, **ways: Optional[ArrayLike]) -> Prescribed:
         area = float(np.prod(system.shape)) * system.pitch[0] * system.pitch[1]
         return Prescribed(name, given, _constants.RC_CONTROL_LOAD, np.asarray(given, float) * area)
     return Prescribed(name, given, _constants.RC_CONTROL_LOAD, given)
+
+
+def in_metres(lengths: Optional[ArrayLike], unit: Optional[str]) -> Any:
+    """Lengths as they are if no unit is given for them."""
+    if lengths is None or unit is None:
+        return lengths
+    refuse_text(approach=lengths)
+    return np.asarray(lengths, float) * metres_of(unit)
 
 
 def refuse_two_sources(heights: Any, undeformed_gap: Any, system: Optional[System], **given: Any) -> None:

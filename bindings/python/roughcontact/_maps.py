@@ -6,18 +6,39 @@ from typing import Any, Optional, Tuple, cast
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import Doubles, Mask, Pitch, as_mask, as_pitch, refuse_one_row, without_masked
+from ._arrays import Doubles, Mask, Pitch, as_doubles, as_mask, as_pitch, refuse_one_row, without_masked
 from ._data_arrays import Described, described
+from ._device import device_array
 from ._errors import ArgumentError, ShapeError
 from ._files import is_file, surface_in
-from ._height_map import Stack, Surface, refuse_contradiction
+from ._height_map import Stack, Surface, refuse_contradiction, same_pitch
+from ._units import bare_metres, metres_of
 
 
-def _own_pitch(own: Tuple[float, float], pitch: Optional[Pitch]) -> Tuple[float, float]:
+def _own_pitch(own: Tuple[float, float], pitch: Optional[Pitch], unit: Optional[str]) -> Tuple[float, float]:
     """own, if nothing else is given."""
-    if pitch is not None and not np.allclose(own, as_pitch(pitch), rtol=1e-9, atol=0):
-        raise ArgumentError(f"pitch is {pitch}, but the surface has its own, {own}; leave pitch out, or give the heights alone")
+    if pitch is not None and not same_pitch(own, as_pitch(pitch)):
+        raise ArgumentError(
+            f"pitch is {pitch} {unit or ''}, but the surface has its own, {own}; leave pitch out, or give the heights alone"
+        )
     return own
+
+
+def _pitch_in(unit: Optional[str], pitch: Optional[Pitch]) -> Optional[Pitch]:
+    """A pitch without a unit beside lengths in `unit`: metres, if it is known."""
+    if pitch is None or unit is None or metres_of(unit) == 1:
+        return pitch
+    found: Pitch = (np.asarray(pitch, np.float64) / metres_of(unit)).tolist()
+    return found
+
+
+def _refuse_unclear(pitch: Optional[Pitch], unit: Optional[str]) -> None:
+    """A pitch beside heights in a unit that bring none may be in that unit or in metres."""
+    if pitch is not None and unit is not None and metres_of(unit) != 1:
+        raise ArgumentError(
+            f"pitch has no unit, but the heights are in {unit!r}: give Surface(heights, pitch, unit={unit!r}) if both are, else "
+            "heights in metres"
+        )
 
 
 def _pitch_needed(pitch: Optional[Pitch]) -> Tuple[float, float]:
@@ -71,9 +92,30 @@ def _without_missing(values: Any, mask: Optional[ArrayLike], missing: str, leadi
     return heights, present.view(np.uint8)
 
 
-def pitch_beside(gap: Any, pitch: Optional[Pitch]) -> Tuple[float, float]:
-    """The pitch that is given for an undeformed gap, or that of its coordinates."""
-    return _pitch_of_coordinates(described(gap) or Described(None, None, None, None), pitch, None)
+def gap_and_pitch(gap: Any, pitch: Optional[Pitch], unit: Optional[str]) -> Tuple[Any, Tuple[float, float]]:
+    """An undeformed gap in metres, if its unit is known, and its pitch: what is given, or that of its coordinates."""
+    says = described(gap) or Described(None, None, None, None)
+    metres = bare_metres(unit, says.unit)
+    if None in (says.hx, says.hy):
+        _refuse_unclear(pitch, says.unit)
+    hx, hy = _pitch_of_coordinates(says, _pitch_in(says.unit, pitch), None)
+    return gap_in_metres(gap, unit), (hx * metres, hy * metres)
+
+
+def gap_in_metres(gap: Any, unit: Optional[str] = None) -> Any:
+    """An undeformed gap as it is if its unit is not known. On a device it stays there."""
+    metres = bare_metres(unit, (described(gap) or Described(None, None, None, None)).unit)
+    if metres == 1:
+        return gap
+    return gap * metres if device_array(gap, "undeformed_gap") is not None else as_doubles(gap, "undeformed_gap") * metres
+
+
+def unit_of(thing: Any) -> Optional[str]:
+    """The unit that heights of any kind but a file say themselves."""
+    says = described(thing)
+    if says is not None:
+        return says.unit
+    return getattr(thing, "unit", None) if isinstance(thing, Surface) or _has_methods_of_a_topography(thing) else None
 
 
 def _pitch_of_coordinates(says: Described, pitch: Optional[Pitch], otherwise: Optional[Pitch]) -> Tuple[float, float]:
@@ -95,37 +137,49 @@ def as_surface(
     unit: Optional[str] = None,
     leading: int = 0,
     otherwise: Optional[Pitch] = None,
+    in_metres: bool = True,
 ) -> Surface:
-    """A Surface from a Surface, a file, an object with the methods of SurfaceTopography's, or an array and a pitch.
+    """A Surface from a Surface, a file, an object with the methods of SurfaceTopography's, or an array and a pitch; in metres, if
+    its unit is known.
 
     missing: "reject", "exclude", or "fill" with `Surface.filled`
-    otherwise: the pitch of what brings none, where pitch is None
+    unit: of heights and pitch that have none
+    otherwise: the pitch of what brings none, where pitch is None; in metres if the surface is
+    in_metres: False: a surface keeps its unit
     """
-    fallback = otherwise if pitch is None else pitch
     if is_file(thing):
-        return as_surface(surface_in(thing, otherwise=fallback), pitch, periodic, mask, missing, unit, leading)
+        return as_surface(surface_in(thing, pitch, unit, otherwise=otherwise), None, periodic, mask, missing, None, leading)
     if missing == "fill":
-        return as_surface(thing, pitch, periodic, mask, "exclude", unit, leading, otherwise).filled()
+        return as_surface(thing, pitch, periodic, mask, "exclude", unit, leading, otherwise, in_metres).filled()
+    own = unit_of(thing)
+    metres = bare_metres(unit, own)
+    if in_metres:
+        pitch, otherwise = _pitch_in(own, pitch), _pitch_in(own or unit, otherwise)
+    at_hand = otherwise if pitch is None else pitch
     if isinstance(thing, Surface):
         heights, found_mask = _without_missing(thing.heights, thing.mask if mask is None else mask, missing)
-        found = replace(thing, heights=heights, mask=found_mask, pitch=_own_pitch(thing.pitch, pitch))
+        found = replace(thing, heights=heights, mask=found_mask, pitch=_own_pitch(thing.pitch, pitch, own))
     elif _has_methods_of_a_topography(thing):
         if getattr(thing, "is_uniform", True) is False:
             raise ArgumentError("the topography is not on a uniform grid; interpolate it onto one")
         heights, found_mask = _without_missing(thing.heights(), mask, missing)
         refuse_one_row(heights, "the topography", pitch)
         silent = thing.physical_sizes is None or (pitch is not None and heights.ndim == 1)
-        sides = _pitch_needed(fallback) if silent else _own_pitch(_pitch_of_topography(thing, heights.shape), pitch)
+        if silent:
+            _refuse_unclear(pitch, own)
+        sides = _pitch_needed(at_hand) if silent else _own_pitch(_pitch_of_topography(thing, heights.shape), pitch, own)
         repeats = getattr(thing, "is_periodic", False) or None  # False is what the package says where nobody knows
         found = Surface(heights, sides, repeats, found_mask, getattr(thing, "unit", None))
     else:
         says = described(thing) or Described(None, None, None, None)
+        if None in (says.hx, says.hy):
+            _refuse_unclear(pitch, own)
         sides = _pitch_of_coordinates(says, pitch, otherwise)
-        if unit is not None and says.unit is None:
-            raise ArgumentError(f"unit is {unit!r}, but an array does not say its own: give Surface(heights, pitch, unit=)")
         heights, found_mask = _without_missing(thing, mask, missing, leading)
         refuse_one_row(heights, "heights", pitch, leading + 1)
         found = (Stack if leading else Surface)(heights, sides, says.periodic, found_mask, says.unit)
     if periodic is not None:
         found = replace(found, periodic=bool(periodic))
-    return found.in_unit(unit) if unit is not None and found.unit != unit else found
+    if own is None and unit is not None:
+        found = replace(found, unit=unit)
+    return found.in_unit("m") if in_metres and metres != 1 else found

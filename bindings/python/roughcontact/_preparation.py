@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import replace
 from typing import Any, Dict, Optional, Tuple, Union
 
@@ -11,9 +12,10 @@ from numpy.typing import ArrayLike
 
 from ._arrays import Doubles, Pitch
 from ._errors import ArgumentError, ShapeError
-from ._data_arrays import METRES
-from ._height_map import Surface
-from ._maps import as_surface
+from ._files import is_file, other_surface_in
+from ._height_map import Surface, same_pitch
+from ._maps import as_surface, unit_of
+from ._units import KNOWN, AssumedUnit, metres_of, metres_per, warn
 
 _FORMS = "give sphere:R=1mm, cylinder:R=1mm,axis=x or wedge:angle=5deg,axis=x"
 _KEYS = {"sphere": ("R",), "cylinder": ("R", "axis"), "wedge": ("angle", "axis")}
@@ -37,36 +39,44 @@ def prepared(
     against: heights of the other body, which are added; remove: a form that is then taken off; shape: one that is then put on
     """
     first = "exclude" if missing == "fill" else missing
+    own = None if is_file(heights) else unit_of(heights)
     found = as_surface(heights, pitch, None, mask, first, unit, otherwise=otherwise)
     if against is not None:
-        found = _together(found, against, first, "against")
+        found = _together(found, against, first, "against", unit)
     if remove is not None and remove != "none":
         found = found.without(remove)
     if missing == "fill":
         found = found.filled()
     if isinstance(shape, str):
-        found = replace(found, heights=found.heights - _depth_of(shape, found))
+        found = replace(found, heights=found.heights - _depth_of(shape, found, unit, own))
     elif shape is not None:
-        found = _together(found, shape, "reject", "shape")
+        found = _together(found, shape, "reject", "shape", unit)
     if shape is not None:
         found = replace(found, periodic=False)  # a ball ends somewhere
     return found
 
 
-def _together(surface: Surface, thing: Any, missing: str, name: str) -> Surface:
-    other = as_surface(thing, missing=missing, otherwise=surface.pitch)
-    if surface.unit is not None and other.unit is not None:
-        other = other.in_unit(surface.unit)
-    if other.shape != surface.shape or not np.allclose(other.pitch, surface.pitch, rtol=1e-6, atol=0):  # files round it
+def _together(surface: Surface, thing: Any, missing: str, name: str, unit: Optional[str]) -> Surface:
+    """unit: of what has none."""
+    if is_file(thing):
+        thing = other_surface_in(thing, unit, surface.pitch)
+    other = as_surface(thing, missing=missing, unit=unit if unit_of(thing) is None else None, otherwise=surface.pitch)
+    if (other.unit is None) != (surface.unit is None):
+        warn(
+            f"{name if other.unit is None else 'the surface'} has no unit, beside one in metres: metres are taken; pass unit='m' if "
+            "that is right, else its unit",
+            AssumedUnit,
+        )
+        surface, other = replace(surface, unit="m"), replace(other, unit="m")
+    if other.shape != surface.shape or not same_pitch(other.pitch, surface.pitch):
         raise ShapeError(
             f"{name} has shape {other.shape} and pitch {other.pitch}, the surface {surface.shape} and {surface.pitch}; "
             "both are needed on the same grid"
         )
-    periodic = surface.periodic if other.periodic is None else other.periodic
-    return surface + replace(other, pitch=surface.pitch, periodic=periodic)
+    return surface + other
 
 
-def _depth_of(text: str, surface: Surface) -> Doubles:
+def _depth_of(text: str, surface: Surface, unit: Optional[str], own: Optional[str]) -> Doubles:
     """How far below its highest point, which is in the middle of the grid, a shape lies at every point."""
     name, settings = _parsed(text)
     y, x = ((np.arange(n) - (n - 1) / 2) * h for n, h in zip((1, *surface.shape)[-2:], surface.pitch[::-1]))  # of one axis: x
@@ -74,7 +84,7 @@ def _depth_of(text: str, surface: Surface) -> Doubles:
     if name == "wedge":
         depth = np.abs(across) * math.tan(_angle(settings["angle"]))
     else:
-        radius = _length(settings["R"], surface.unit)
+        radius = _length(settings["R"], surface.unit, unit, own)
         square = x**2 + y[:, None] ** 2 if name == "sphere" else across**2
         if square.max() > radius**2:
             raise ArgumentError(
@@ -109,16 +119,23 @@ def _number(text: str, units: Dict[str, float]) -> Tuple[float, Optional[str]]:
     return number, unit or None
 
 
-def _length(text: str, unit: Optional[str]) -> float:
-    number, own = _number(text, METRES)
-    if own is None:
-        return number
-    if unit is None:
+def _length(text: str, surface_unit: Optional[str], unit: Optional[str], own: Optional[str]) -> float:
+    """unit: of lengths without one; own: what the surface said before it was converted to metres"""
+    match = re.fullmatch(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(.*)", text.strip())
+    number, name = (float(match[1]), match[2]) if match else (math.nan, "")
+    metres = metres_per(name) if name else 1.0
+    if not (math.isfinite(number) and number > 0) or metres is None:
+        raise ArgumentError(f"shape: {text!r} is no positive number, alone or with a unit of {KNOWN}")
+    if not name:
+        if own is not None and metres_of(own) != 1:
+            raise ArgumentError(f"shape: R={text} has no unit, but the surface is in {own!r}: write R={text}{own} or R={text}m")
+        return number * (1.0 if unit is None else metres_of(unit))
+    if surface_unit is None:
         raise ArgumentError(
             f"shape: R={text} has a unit, but the surface does not say its own; give R as a number in the unit of pitch and "
-            "heights, or a Surface with unit="
+            "heights, or give unit="
         )
-    return number * METRES[own] / METRES[unit]
+    return number * metres
 
 
 def _angle(text: str) -> float:

@@ -14,8 +14,8 @@ from ._errors import ArgumentError
 from ._handle import Watch
 from ._height_map import Surface
 from ._history import history_on
-from ._keywords import options_of, prescribed, refuse_two_sources
-from ._maps import as_surface, pitch_beside
+from ._keywords import in_metres, options_of, prescribed, refuse_two_sources
+from ._maps import as_surface, gap_and_pitch
 from ._preparation import prepared
 from .contact import Contact, gap_and_mask
 from .context import Context, Options
@@ -60,9 +60,9 @@ def system_for(
         boundary = boundary_of(boundary, surface.periodic)
         half_space = HalfSpace(surface.shape, pitch=surface.pitch, modulus=modulus, boundary=boundary, hardness=hardness)
         return half_space, surface.undeformed_gap(), surface.mask
-    sides = pitch_beside(undeformed_gap, pitch)
+    undeformed_gap, sides = gap_and_pitch(undeformed_gap, pitch, unit)
     there = device_array(undeformed_gap, "undeformed_gap") if devices else None
-    array: Any = as_doubles(undeformed_gap, "undeformed_gap") if there is None else there  # type: ignore[arg-type]
+    array: Any = as_doubles(undeformed_gap, "undeformed_gap") if there is None else there
     refuse_one_row(array, "undeformed_gap", pitch)
     half_space = HalfSpace(array.shape, pitch=sides, modulus=modulus, boundary=boundary, hardness=hardness)
     return half_space, array, as_mask(mask, "mask", array.shape)
@@ -120,7 +120,8 @@ def solve(
     E, nu: replace modulus: Young's modulus [force/length^2] and Poisson's ratio of the one body that is elastic, or two each
     boundary: "periodic": the map is a sample of a larger surface; "free": the body ends at the map's edges; "periodic-x",
         "periodic-y": it repeats along this axis only; None: as the surface says, else periodic, with an `AssumedBoundary` warning
-    unit: converts the lengths of a surface that has a unit to this one ("m"); None: they stay
+    unit: of lengths that have none, heights, pitch, approach and R of a shape: "um"; all others are then in m, Pa and N. None: they
+        are in any consistent set of units, those of a file in m. A surface that names its unit is pressed in metres
     hardness: the largest pressure [force/length^2], see `HalfSpace`; None: none
     against: heights of the other body on the same grid, which are added: a `Surface`, a file or an array
     shape: nominal shape, added last: "sphere:R=1mm", "cylinder:R=1mm,axis=x" or "wedge:angle=5deg,axis=x", in the middle of the
@@ -139,7 +140,7 @@ def solve(
     )
     with Contact(system, options=options, progress=progress, every=every, context=context) as contact:
         return contact.solve(
-            approach=approach,
+            approach=in_metres(approach, unit),
             load=load,
             pressure=pressure,
             undeformed_gap=undeformed_gap,
@@ -204,6 +205,6 @@ def history(
     system, found_gap, mask = system_for(
         heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit, hardness, against, shape, remove
     )
-    what = prescribed(system, approach=approach, load=load, pressure=pressure)
+    what = prescribed(system, approach=in_metres(approach, unit), load=load, pressure=pressure)
     with Contact(system, options=options, progress=progress, every=every, context=context) as contact:
         return history_on(contact, what, found_gap, mask, warm_start, virgin, stiffness, keep_pressure, want_gap, each, check)

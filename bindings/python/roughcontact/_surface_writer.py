@@ -7,15 +7,15 @@ from typing import IO, Dict, Optional, Sequence, Tuple, Union
 import numpy as np
 
 from ._arrays import Doubles
-from ._data_arrays import METRES
 from ._errors import ArgumentError
+from ._units import metres_of
 from ._whole_file import whole_file
 
 
 def _write_gsf(
     file: IO[bytes], heights: Doubles, pitch: Tuple[float, float], unit: Optional[str], periodic: Optional[bool]
 ) -> None:
-    metres = METRES[unit or "m"]
+    metres = metres_of(unit or "m")
     (ny, nx), (hx, hy) = heights.shape, pitch
     with np.errstate(over="ignore"):  # checked below
         single = (heights * metres).astype("<f4")
@@ -54,7 +54,7 @@ def _write_netcdf(
     """The classic format with offsets of 64 bits."""
     known: Dict[str, Union[str, int, float]] = {}
     if unit is not None:
-        metres = METRES[unit]
+        metres = metres_of(unit)
         heights, pitch, known["unit"] = heights * metres, (pitch[0] * metres, pitch[1] * metres), "m"
     lateral = known if periodic is None else {**known, "periodic": int(periodic)}
     axes = [("x", heights.shape[1], pitch[0]), ("y", heights.shape[0], pitch[1])]
@@ -84,8 +84,8 @@ def save_surface(
     suffix = os.path.splitext(path)[1].lower()
     if suffix not in (".gsf", ".nc", ".npy"):
         raise ArgumentError(f"{path}: the file's name must end in .gsf, .nc or .npy")
-    if unit is not None and unit not in METRES and suffix != ".npy":
-        raise ArgumentError(f"unit {unit!r} is not one of {', '.join(METRES)}")
+    if unit is not None and suffix != ".npy":
+        metres_of(unit)
     with whole_file(path) as file:
         if suffix == ".npy":
             np.save(file, heights)

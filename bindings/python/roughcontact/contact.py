@@ -16,10 +16,10 @@ from ._device import DeviceArray, alike, device_array, in_shape, package_of
 from ._derivatives import Gradient, Tangent, gradient_from, gradient_request, tangent_from, tangent_request
 from ._handle import Handle
 from ._history import history_on
-from ._height_map import Surface
+from ._height_map import Surface, same_pitch
 from ._keywords import prescribed
 from ._library import contact_library
-from ._maps import as_surface
+from ._maps import as_surface, gap_in_metres
 from ._status import Status
 from ._structs import rc_level, rc_result, rc_state, rc_step
 from .context import Options, OptionSet
@@ -29,10 +29,10 @@ from .system import HalfSpace, System
 
 
 def refuse_another_pitch(surface: Surface, system: System) -> None:
-    if isinstance(system, HalfSpace) and not np.allclose(surface.pitch, system.pitch, rtol=1e-9, atol=0):
+    if isinstance(system, HalfSpace) and not same_pitch(surface.pitch, system.pitch):
         raise ArgumentError(
-            f"the surface has the pitch {surface.pitch}, the half-space {system.pitch}; HalfSpace.under(surface, modulus=) makes "
-            "one with the surface's, Surface.in_unit converts lengths"
+            f"the surface has the pitch {surface.pitch}{' m' if surface.unit else ''}, the half-space {system.pitch}; "
+            "HalfSpace.under(surface, modulus=) makes one with the surface's"
         )
 
 
@@ -50,6 +50,7 @@ def gap_and_mask(
     if heights is not None and undeformed_gap is not None:
         raise ArgumentError("heights and undeformed_gap are both given; give one of them")
     if heights is None:
+        undeformed_gap = gap_in_metres(undeformed_gap)
         there = device_array(undeformed_gap, "undeformed_gap") if devices else None
         if there is not None:
             return in_shape(there, "undeformed_gap", system.shape), as_mask(mask, "mask", system.shape)

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import inspect
-import os
-import warnings
 from abc import ABC, abstractmethod
 from typing import Any, Callable, Dict, Optional, Sequence, Tuple, Union
 
@@ -20,6 +17,7 @@ from ._library import contact_library
 from ._maps import as_surface
 from ._status import Status
 from ._structs import rc_apply_fn, rc_system
+from ._units import warn
 from .context import Context, Options, OptionSet, context_handle
 
 Repeats = Union[bool, str]  # True, False, or the one axis along which a grid repeats, "x" or "y"
@@ -40,15 +38,10 @@ class AssumedBoundary(UserWarning):
 def boundary_of(given: Optional[str], periodic: Optional[bool]) -> str:
     """What is given, else what the surface says (periodic), else "periodic", with a warning that the caller sees at its own line."""
     if given is None and periodic is None:
-        package = os.path.dirname(__file__)
-        frame, level = inspect.currentframe(), 1
-        while frame is not None and os.path.dirname(frame.f_code.co_filename).startswith(package):
-            frame, level = frame.f_back, level + 1
-        warnings.warn(
+        warn(
             "boundary is taken as 'periodic', the map as a sample of a larger surface; pass boundary='free' if the body ends at the "
             "map's edges, as a ball or a punch does, else boundary='periodic'",
             AssumedBoundary,
-            stacklevel=level,
         )
         return "periodic"
     boundary = given if given is not None else "periodic" if periodic else "free"

@@ -62,7 +62,7 @@ void says_what_it_assumes(void**) {
   rc_surface_file file = read("1 2\n3 4\n", "a.csv");
   assert_non_null(std::strstr(file.assumed, "lengths without a unit are in m: the file names none"));
   assert_non_null(std::strstr(file.assumed, "the pitch is not known"));
-  assert_true(file.hx == 0 && file.hy == 0 && near(file.heights[3], 4));
+  assert_true(file.hx == 0 && file.hy == 0 && near(file.heights[3], 4) && file.unit_assumed == 1);
   rc_surface_file_free(&file);
 
   rc_surface_read_spec spec = RC_SURFACE_READ_SPEC_INIT;
@@ -74,8 +74,14 @@ void says_what_it_assumes(void**) {
   assert_true(near(file.hx, 2e-6) && near(file.hy, 3e-6) && near(file.heights[3], 4e-6));
   rc_surface_file_free(&file);
 
+  spec.hx = spec.hy = 2;
+  refuses(gwyddion, "a.txt", spec, "a.txt: the unit of the heights is nm in the file, but the unit given is um");
+  spec.unit = nullptr;
+  refuses(gwyddion, "a.txt", spec, "hx, hy: the pitch given is 2 m, 2 m, but a.txt has its own, 2e-06 m, 2e-06 m");
+  spec.hx = spec.hy = 2e-6 * (1 + 1e-7);
   file = read(gwyddion, "a.txt", &spec);
-  assert_string_equal(file.assumed, "the pitch asked for is used, not 2e-06 m, 2e-06 m of the file");
+  assert_string_equal(file.assumed, "");
+  assert_int_equal(file.unit_assumed, 0);
   rc_surface_file_free(&file);
 
   spec.format = "text";  // three columns that would be refused as points
@@ -109,6 +115,33 @@ void refuses_arguments(void**) {
   refuses(gwyddion, "a.txt", changed([](auto& s) { s.struct_size = 8; }), "rc_surface_read_spec.struct_size = 8");
   file.struct_size = 8;
   require_error(rc_surface_read("a.txt", nullptr, &file), RC_ERR_ARGUMENT, "rc_surface_file.struct_size = 8");
+}
+
+void knows_units(void**) {
+  const std::pair<const char*, double> known[] = {{"m", 1},
+                                                  {"cm", 1e-2},
+                                                  {"km", 1e3},
+                                                  {"um", 1e-6},
+                                                  {"\xc2\xb5m", 1e-6},
+                                                  {"\xce\xbcm", 1e-6},
+                                                  {"\xb5m", 1e-6},
+                                                  {"A", 1e-10},
+                                                  {"\xc3\x85", 1e-10},
+                                                  {"\xc3\x85ngstr\xc3\xb6m", 1e-10},
+                                                  {"\xc5ngstr\xf6m", 1e-10},
+                                                  {"microns", 1e-6},
+                                                  {"Nanometres", 1e-9}};
+  for (const auto& [name, metres] : known) {
+    double found = 0;
+    assert_int_equal(rc_surface_unit(name, &found), RC_OK);
+    assert_true(near(found, metres));
+  }
+  double found = 7;
+  for (const char* name : {"", "MM", "furlong", "mPa", "u", "Mum"})
+    require_error(rc_surface_unit(name, &found), RC_ERR_ARGUMENT, "is not a length unit");
+  require_error(rc_surface_unit(nullptr, &found), RC_ERR_ARGUMENT, "name is null");
+  require_error(rc_surface_unit("m", nullptr), RC_ERR_ARGUMENT, "metres is null");
+  assert_true(found == 7);
 }
 
 void lists_formats(void**) {
@@ -193,6 +226,7 @@ int main() {
   const CMUnitTest tests[] = {cmocka_unit_test(reads),
                               cmocka_unit_test(says_what_it_assumes),
                               cmocka_unit_test(refuses_arguments),
+                              cmocka_unit_test(knows_units),
                               cmocka_unit_test(lists_formats),
                               cmocka_unit_test(prepares_heights),
                               cmocka_unit_test(reads_a_file_in_pieces),

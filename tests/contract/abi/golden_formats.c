@@ -23,7 +23,7 @@ AT(rc_surface_file, hy, 32);
 AT(rc_surface_file, heights, 40);
 AT(rc_surface_file, missing, 48);
 AT(rc_surface_file, periodic, 56);
-AT(rc_surface_file, reserved, 60);
+AT(rc_surface_file, unit_assumed, 60);
 AT(rc_surface_file, format, 64);
 AT(rc_surface_file, assumed, 96);
 AT(rc_surface_file, storage, 496);

@@ -11,8 +11,7 @@
 namespace failures {
 
 MeasuredSurface read_measured(const std::string& file) {
-  constexpr double metres = 1;
-  rc::formats::Surface surface = rc::formats::read_surface(file, metres);
+  rc::formats::Surface surface = rc::formats::read_surface(file, {});
   return {std::filesystem::path(file).stem().string(),
           surface.nx,
           surface.ny,

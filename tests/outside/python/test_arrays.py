@@ -93,7 +93,7 @@ class Topography:
 
 
 def test_topographies(rough):
-    topography = Topography(rough.heights, (48.0, 64.0), "\u00b5m", True)
+    topography = Topography(rough.heights, (48.0, 64.0), None, True)
     result = rc.solve(topography, modulus=1e3, load=0.1)
     assert result.pressure.shape == (48, 64) and result.grid.pitch == (1.0, 1.0) and result.grid.periodic
     stretched = Topography(rough.heights, (48.0, 128.0))
@@ -105,11 +105,13 @@ def test_topographies(rough):
 
 def test_units_of_topographies(rough):
     micrometres = Topography(rough.heights * 1e6, (48.0, 64.0), "\u00b5m", True)
-    metres = rc.solve(micrometres, modulus=1e9, load=1e-4, unit="m")
+    silent = Topography(rough.heights * 1e6, (48.0, 64.0), None, True)
     plain = rc.solve(rough, modulus=1e9, load=1e-4)
-    assert metres.approach == pytest.approx(plain.approach, rel=1e-6)
-    with pytest.raises(rc.ArgumentError, match="does not say its unit"):
-        rc.solve(Topography(rough.heights, (48.0, 64.0)), modulus=1e9, load=1e-4, unit="m")
+    for metres in (rc.solve(micrometres, modulus=1e9, load=1e-4), rc.solve(silent, modulus=1e9, load=1e-4, unit="um")):
+        assert metres.approach == pytest.approx(plain.approach, rel=1e-6)
+    refused(rc.ArgumentError, "leave unit out", rc.solve, micrometres, modulus=1e9, load=1e-4, unit="m")
+    sizeless = Topography(rough.heights * 1e6, None, "um")
+    refused(rc.ArgumentError, "pitch has no unit", rc.solve, sizeless, pitch=1.0, modulus=1e9, load=1e-4)
     refused(rc.ArgumentError, "furlong", rc.solve, micrometres, modulus=1e9, load=1e-4, unit="furlong")
 
 

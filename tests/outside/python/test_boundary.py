@@ -1,5 +1,6 @@
 """Which boundary a surface is pressed with, and what results with free edges say of it."""
 
+import dataclasses
 import warnings
 
 import numpy as np
@@ -27,7 +28,7 @@ def test_the_surface_decides(rough):
 
 def test_files_keep_what_the_surface_says(rough, tmp_path):
     for surface, periodic in ((rough, True), (rc.surface.sphere((16, 16), pitch=1e-6, radius=1e-4), False)):
-        surface.save(tmp_path / "map.gsf")
+        dataclasses.replace(surface, unit="m").save(tmp_path / "map.gsf")
         assert rc.read(tmp_path / "map.gsf").periodic is periodic
         assert pressed_periodically(tmp_path / "map.gsf") is periodic
 

@@ -83,9 +83,9 @@ def test_units_and_periodicity(labelled, heights):
     metres = {name: Labelled(value * 1e-6, (name,), attrs={"units": "m"}) for name, value in COORDS.items()}
     surface = rc.Surface(heights, (1.0, 2.0), unit="um")
     thing = labelled(heights, ("y", "x"), metres, {"units": "micrometers", "periodic": True})
-    found = rc.solve(thing, **KEYS)
-    assert found.grid.pitch == pytest.approx((1.0, 2.0)) and found.grid.periodic
-    in_metres = [rc.solve(each, unit="m", boundary="free", modulus=1.0, load=1e-12).approach for each in (thing, surface)]
+    found = rc.solve(thing, modulus=1.0, load=1e-12)
+    assert found.grid.pitch == pytest.approx((1e-6, 2e-6)) and found.grid.periodic
+    in_metres = [rc.solve(each, boundary="free", modulus=1.0, load=1e-12).approach for each in (thing, surface)]
     assert in_metres[0] == pytest.approx(in_metres[1])
     volts = labelled(heights, ("y", "x"), COORDS, {"units": "V"})
     refused(rc.ArgumentError, "the unit of the heights is 'V'", rc.solve, volts, **KEYS)

@@ -60,8 +60,8 @@ def test_open_files_and_bytes(map_file, tmp_path):
 def test_the_pitch_comes_from_the_file_or_the_caller(tmp_path, map_file):
     np.save(tmp_path / "a.npy", np.zeros((3, 4)))
     refused(rc.ArgumentError, "a.npy: the file does not say its pitch; give pitch=", rc.read, tmp_path / "a.npy")
-    replaced = rc.read(map_file, pitch=1e-6)
-    assert replaced.pitch == (1e-6, 1e-6) and "the pitch asked for is used" in replaced.assumed
+    assert rc.read(map_file, pitch=2e-6 * (1 + 1e-7)).pitch == pytest.approx((2e-6, 2e-6))
+    refused(rc.ArgumentError, "1e-06 m, but .*map.txt has its own, 2e-06 m", rc.read, map_file, pitch=1e-6)
 
 
 def test_what_is_refused(tmp_path, map_file):
@@ -140,7 +140,9 @@ def test_other_formats_are_left_to_surface_topography(tmp_path, monkeypatch):
     assert np.isnan(surface.heights[0, 0]) and surface.heights[2, 1] == pytest.approx(5e-6)
     assert surface.pitch == pytest.approx((2e-6, 3e-6)) and surface.periodic
     assert surface.assumed == "read by the package SurfaceTopography, as opd"
-    assert rc.read(path, pitch=1, unit="nm").pitch == pytest.approx((1e-9, 1e-9))
+    assert rc.read(path, pitch=(2, 3), unit="um").pitch == pytest.approx((2e-6, 3e-6))
+    refused(rc.ArgumentError, "has its own", rc.read, path, pitch=1e-6)
+    refused(rc.ArgumentError, "is um in the file, but the unit given is nm", rc.read, path, unit="nm")
     assert rc.read(b"something").pitch == surface.pitch and asked[-1][0].read() == b"something"
     assert rc.read(path, format="opd").shape == (3, 2) and asked[-1] == (str(path), "opd")
     monkeypatch.setattr(Reader, "physical_sizes", None)

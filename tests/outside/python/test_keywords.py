@@ -142,7 +142,7 @@ def test_nothing_beside_a_system_is_ignored(rough):
     for beside in ({"modulus": 2e9}, {"pitch": 1e-6}, {"boundary": "free"}, {"hardness": 1e9}, {"E": 1e9, "nu": 0.3}):
         for call in (rc.solve, rc.history, rc.batch):
             refused(rc.ArgumentError, "system are both given", call, rough, system=half_space, load=1e-4, **beside)
-    refused(rc.ArgumentError, "does not say its own", rc.solve, rough.heights, pitch=1, unit="um", **PRESS)
+        refused(rc.ArgumentError, "unit and system are both given", call, rough.heights, system=half_space, load=1e-4, unit="m")
 
 
 def test_wavelengths_are_no_wave_numbers():

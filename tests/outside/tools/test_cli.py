@@ -108,7 +108,7 @@ class Answers(CommandTest):
 
 class Output(CommandTest):
     def hertz(self, *arguments, **settings):
-        return self.solve(self.npy(paraboloid(24)), "--pitch", "1e-6", "--modulus", "1e9", *arguments, **settings)
+        return self.solve(self.npy(paraboloid(24)), "--pitch", "1e-6", "--unit", "m", "--modulus", "1e9", *arguments, **settings)
 
     def test_table_has_a_row_a_step(self):
         done = self.hertz("--approach", "1e-8,2e-8")
@@ -139,10 +139,11 @@ class Output(CommandTest):
         self.hertz("--approach", "1e-8")
         self.assertEqual(self.names(), ["surface.npy"])
 
-    def test_pitch_of_the_file_gives_way_with_a_note(self):
-        surface = self.file("s.gsf", gsf(paraboloid(24), 1e-6, 1e-6))
-        done = self.solve(surface, "--pitch", "3e-6", "--modulus", "1e9", "--approach", "1e-8", "--quiet")
-        self.assertRegex(done.stderr, r"^roughcontact: note: --pitch .*1e-06.*\n$")
+    def test_another_pitch_than_the_files_is_refused(self):
+        surface = self.file("s.gsf", gsf(paraboloid(24), 1e-6, 1e-6, "XYUnits = m\nZUnits = m\n"))
+        press = ["--modulus", "1e9", "--approach", "1e-8", "--quiet"]
+        self.assert_fails("solve", surface, "--pitch", "3um", *press, says=["--pitch", "3e-06 m", "s.gsf has its own, 1e-06 m"])
+        self.assertEqual(self.solve(surface, "--pitch", "1.0000001um", *press).stderr, "")
 
     def test_uncertified_step_is_written_and_marked(self):
         done = self.solve(self.npy(rough()), "--pitch", "1e-6", "--modulus", "1e9", "--approach", "1e-7,2e-7", "--solver", "polonsky-keer",
@@ -155,7 +156,7 @@ class Output(CommandTest):
     def test_progress_bar_on_a_terminal(self):
         here, terminal = pty.openpty()
         surface = self.npy(rough(128, 128))
-        with subprocess.Popen([harness.COMMAND, "solve", surface, "--pitch", "1e-6", "--modulus", "1e9", "--boundary", "periodic", "--approach", "2e-7"],
+        with subprocess.Popen([harness.COMMAND, "solve", surface, "--pitch", "1um", "--unit", "m", "--modulus", "1e9", "--boundary", "periodic", "--approach", "2e-7"],
                               cwd=self.folder, stdout=subprocess.PIPE, stderr=terminal, text=True) as process:
             os.close(terminal)
             shown = read_terminal(here)
@@ -224,7 +225,7 @@ class Output(CommandTest):
         for unit in ("MPa", "GPa"):
             self.assertNotIn("check its unit", self.solve(*common, "--modulus", "1GPa", "--hardness", "1.5" + unit).stderr)
         self.assertIn("--E is 3 Pa, below 100 Pa", self.solve(*common, "--E", "3", "--nu", "0.3").stderr)
-        done = self.solve(self.npy(rough()), "--pitch", "1um", "--modulus", "1GPa", "--load", "1e-15,1e-4,1e-15", "--quiet")
+        done = self.solve(self.npy(rough()), "--pitch", "1um", "--unit", "m", "--modulus", "1GPa", "--load", "1e-15,1e-4,1e-15", "--quiet")
         self.assertEqual(done.stderr, 2 * "roughcontact: remark: one point in contact: check the pitch, or the map for a spike\n")
         self.assertNotIn("level them", self.solve(self.npy(tilted), "--pitch", "1um", "--modulus", "1GPa", "--approach", "1e-7", "--remove", "plane").stderr)
 
@@ -301,7 +302,7 @@ class WrongInput(CommandTest):
 
     def test_failure_in_the_middle_keeps_earlier_steps(self):
         surface = self.npy(rough())
-        done = self.solve(surface, "--pitch", "1e-6", "--modulus", "1e9", "--boundary", "periodic", "--approach", "1e-7,1", "--out", "out", code=1)
+        done = self.solve(surface, "--pitch", "1e-6", "--unit", "m", "--modulus", "1e9", "--boundary", "periodic", "--approach", "1e-7,1", "--out", "out", code=1)
         self.assertIn("step 2", done.stderr)
         self.assertEqual(self.names("out"), ["contact-1.png", "gap-1.npy", "pressure-1.npy", "steps.csv", "summary.json"])
         self.assertEqual(len(json.loads((self.folder / "out/summary.json").read_text())["steps"]), 1)

@@ -63,7 +63,7 @@ class Reading(CommandTest):
         z = np.arange(12.0).reshape(3, 4)
         text = "# Channel: Height\n# Width: 10.00 \u00b5m\n# Height: 6.00 \u00b5m\n# Value units: %s\n" + "\n".join("\t".join(map(str, row)) for row in z)
         self.assert_reads(self.file("a.txt", text % "m"), z, (2.5e-6, 2e-6))
-        self.assert_reads(self.file("a.txt", text % "nm"), z * 1e-9, (2.5e-6, 2e-6), "--unit", "mm")
+        self.assert_fails("solve", self.file("a.txt", text % "nm"), *PRESS, "--unit", "mm", says=["a.txt", "\u00b5m in the file", "mm"])
 
     def test_wrong_files(self):
         good = gsf(rough(6, 8), 1, 1)
@@ -74,18 +74,18 @@ class Reading(CommandTest):
             ("a.png", b"\x89PNG", "picture (PNG)"),
             ("a.txt", "1 2 3\n4 5\n", ["row 2", "2 values", "expected 3"]),
             ("a.txt", "1 2\n3 x\n", ["row 2, column 2", '"x"']),
-            ("a.txt", "1;;2\n", "row 1, column 2"),
+            ("a.txt", "1;;2\n", "1 missing value of 3, first at ix=1, iy=0"),
             ("a.txt", "# Width: 10 px\n1 2\n", '"px" is not a length'),
-            ("a.txt", "# Value units: V\n1 2\n", ["Value units", '"V"']),
+            ("a.txt", "# Value units: V\n1 2\n", ["heights", '"V"']),
             ("a.txt", "1 nan 3\n4 5 inf\n", "2 missing values of 6, first at ix=1, iy=0; give --missing fill"),
-            ("a.gsf", gsf(np.where(np.arange(6) == 4, np.nan, 1.0).reshape(2, 3), 1, 1), "1 missing value of 6, first at ix=1, iy=1"),
+            ("a.gsf", gsf(np.where(np.arange(6) == 4, np.nan, 1.0).reshape(2, 3), 1e-6, 1e-6), "1 missing value of 6, first at ix=1, iy=1"),
             ("a.gsf", good[:-1], ["8 x 6", "truncated"]),
             ("a.gsf", good + b"\0\0\0\0", ["8 x 6", "4 bytes follow"]),
             ("a.gsf", good.replace(b"XRes = 8", b"XRes = -8"), ["XRes", "-8"]),
             ("a.gsf", good.replace(b"XRes = 8\nYRes = 6", b"XRes = 4294967296\nYRes = 4294967296"), "truncated"),
             ("a.gsf", good.replace(b"XRes", b"Xres"), "no XRes"),
             ("a.gsf", gsf(rough(6, 8), -1, 1), "XReal"),
-            ("a.gsf", gsf(rough(6, 8), 1, 1, "ZUnits = V\n"), ["ZUnits", '"V"']),
+            ("a.gsf", gsf(rough(6, 8), 1, 1, "ZUnits = V\n"), ["heights", '"V"']),
             ("a.gsf", gsf(rough(6, 8), 1, 1, "nonsense\n"), "nonsense"),
             ("a.gsf", b"Gwyddion Simple Field 1.0\nXRes = 1\nYRes = 1\n", "no end"),
             ("a.gsf", b"Gwyddion Simple Field 2.0\n", "first line"),
@@ -146,14 +146,14 @@ class Writing(CommandTest):
 
     def test_without_gnuplot_all_but_the_pictures(self):
         done = self.solve(self.npy(rough()), "--pitch", "1e-6", "--modulus", "1e9", "--boundary", "periodic", "--approach", "1e-8,2e-8", "--out", "out", "--quiet",
-                          env=without_gnuplot())
+                          "--unit", "m", env=without_gnuplot())
         self.assertEqual(done.stderr, "roughcontact: gnuplot not found: contact-K.png not drawn\n")
         self.assertEqual(self.names("out"), ["gap-1.npy", "gap-2.npy", "pressure-1.npy", "pressure-2.npy", "steps.csv", "summary.json"])
 
     def test_gnuplot_that_fails_leaves_no_picture(self):
         self.file("gnuplot", "#!/bin/sh\necho half a picture\necho boom >&2\nexit 3\n")
         (self.folder / "gnuplot").chmod(0o755)
-        done = self.solve(self.npy(rough()), "--pitch", "1e-6", *PRESS, "--out", "out", "--quiet", env=dict(os.environ, PATH=str(self.folder)))
+        done = self.solve(self.npy(rough()), "--pitch", "1um", "--unit", "m", *PRESS, "--out", "out", "--quiet", env=dict(os.environ, PATH=str(self.folder)))
         self.assertEqual(done.stderr, "roughcontact: contact-1.png not drawn, gnuplot failed: boom\n")
         self.assertEqual(self.names("out"), ["gap-1.npy", "pressure-1.npy", "steps.csv", "summary.json"])
 
@@ -163,7 +163,7 @@ class Writing(CommandTest):
 
         # Python ignores SIGXFSZ and hands that on, so that writing fails as it does on a full disk.
         self.npy(rough())
-        self.assert_fails("solve", "surface.npy", "--pitch", "1e-6", *PRESS, "--out", "out", "--quiet", says=["cannot write", "pressure-1.npy"],
+        self.assert_fails("solve", "surface.npy", "--pitch", "1um", "--unit", "m", *PRESS, "--out", "out", "--quiet", says=["cannot write", "pressure-1.npy"],
                           preexec_fn=small_disk, restore_signals=False)
 
     def test_interrupt_keeps_finished_steps(self):

@@ -195,7 +195,7 @@ class Analyze(CommandTest):
 
     def test_names_of_every_kind_can_be_drawn(self):
         for name in ("it's 100%.npy", "a{b}_c^d.npy", "\u00fcber.npy"):
-            done = self.run_command("analyze", self.npy(rough(), name), "--pitch", "1e-6", "--picture", "psd.png")
+            done = self.run_command("analyze", self.npy(rough(), name), "--pitch", "1um", "--unit", "m", "--picture", "psd.png")
             self.assertEqual((done.returncode, done.stderr.replace("roughcontact: gnuplot not found: psd.png not drawn\n", "")), (0, ""))
 
     def test_without_gnuplot_the_rest_is_done(self):

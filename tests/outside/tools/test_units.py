@@ -2,7 +2,7 @@
 import json
 
 import harness
-from harness import CommandTest, np, paraboloid, without_gnuplot
+from harness import CommandTest, gsf, np, paraboloid, without_gnuplot
 
 GOOD = {"--pitch": "1e-6", "--modulus": "1e9", "--approach": "1e-8"}
 
@@ -22,7 +22,7 @@ class Units(CommandTest):
 
     def test_lengths(self):
         for text, metres in (("39nm", 39e-9), ("0.039um", 39e-9), ("0.039\u00b5m", 39e-9), ("0.039\u03bcm", 39e-9), ("39 nm", 39e-9), ("3.9e4pm", 39e-9),
-                             ("1mm", 1e-3), ("2m", 2), ("1km", 1e3), ("1Mm", 1e6), ("1Gm", 1e9), ("1Tm", 1e12), ("39e-9", 39e-9)):
+                             ("1mm", 1e-3), ("2m", 2), ("1km", 1e3), ("1cm", 1e-2), ("390A", 39e-9), ("390\u00c5", 39e-9), ("1micron", 1e-6), ("1Mm", 1e6), ("1Gm", 1e9), ("1Tm", 1e12), ("39e-9", 39e-9)):
             given, _ = self.input_of(pitch=text, approach="0")
             np.testing.assert_allclose((given["hx"], given["hy"]), metres, rtol=1e-15)
         given, _ = self.input_of(pitch="1um,2000nm", approach="10nm,0.02um")
@@ -31,6 +31,23 @@ class Units(CommandTest):
     def test_a_unit_goes_before_that_of_the_command_line(self):
         given, _ = self.input_of(unit="mm", pitch="1e-3", approach="10nm")
         np.testing.assert_allclose((given["hx"], given["targets"][0]), (1e-6, 1e-8), rtol=1e-15)
+
+    def test_what_is_assumed_is_said(self):
+        z = paraboloid(24)
+        press = ["--pitch", "1um", "--modulus", "1e9", "--boundary", "free", "--quiet"]
+        said = "note: lengths without a unit are taken in m (heights of surface.npy); --unit names another\n"
+        for command, how in (("solve", ["--load", "1uN", "--out", "out"]), ("law", ["--pressure", "1kPa..1MPa", "--tolerance", "10%", "--json", "law.json"])):
+            done = self.run_command(command, self.npy(z), *press, *how, env=without_gnuplot())
+            self.assertEqual(done.stderr.count(said), 1, done.stderr)
+            self.assertNotIn("without a unit", self.run_command(command, self.npy(z), *press, *how, "--unit", "m", env=without_gnuplot()).stderr)
+        given, _ = self.input_of(pitch="1e-6")
+        self.assertEqual(given["assumed"], "lengths without a unit are taken in m (heights of surface.npy, --pitch)")
+        self.assertEqual(self.input_of(pitch="1um", unit="m")[0]["assumed"], "")
+        self.file("named.gsf", gsf(z, 1e-6, 1e-6, "XYUnits = m\nZUnits = m\n"))
+        self.assert_fails("solve", "named.gsf", *press[2:], "--load", "1uN", "--unit", "um", says=["named.gsf", "is m in the file", "um"])
+        np.save(self.folder / "other.npy", 1e6 * z)  # of two files, one leaves its unit open
+        done = self.solve("named.gsf", "--against", "other.npy", "--unit", "um", "--modulus", "1e9", "--load", "1uN", "--quiet")
+        self.assertNotIn("note: lengths", done.stderr)
 
     def test_pressures_and_forces(self):
         for text, pascals in (("210GPa", 210e9), ("0.21TPa", 210e9), ("210e3 MPa", 210e9), ("210e6kPa", 210e9), ("210e9Pa", 210e9), ("210e9", 210e9)):

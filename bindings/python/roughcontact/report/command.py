@@ -32,6 +32,8 @@ def report(arguments: Sequence[str]) -> int:
     if out.is_dir():
         raise ArgumentError(f"--out: {request.out!r} is a folder, name the page")
     content = collect(request)
+    if content.assumed:
+        print(f"roughcontact report: note: {content.assumed}", file=sys.stderr)
     with whole_file(str(out)) as file:
         file.write(page(content).encode())
     print(f"{request.out}: {conclusion(content)}")

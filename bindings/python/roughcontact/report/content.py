@@ -11,7 +11,7 @@ from .. import surface as surfaces
 from .._arrays import Doubles
 from .._blocks import largest, means, side_of_blocks
 from .._errors import ArgumentError, LibraryNotFoundError
-from .._files import read
+from .._files import surface_and_doubt
 from .._height_map import Surface
 from .._law import Law
 from .._maps import as_surface
@@ -96,7 +96,7 @@ class Content:
 
 def _prepared(request: Request) -> Tuple[Surface, int, str]:
     """(the surface as it is pressed, how many points are missing in the file, what the file leaves open)"""
-    found = read(request.file, pitch=request.pitch, unit=request.unit, format=request.format)
+    found, _ = surface_and_doubt(request.file, request.pitch, request.unit, request.format, None)
     missing = int(found.missing.sum())
     if missing == found.heights.size:
         raise ArgumentError(f"{request.file}: all points are missing")

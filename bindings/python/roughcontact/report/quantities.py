@@ -7,6 +7,7 @@ from typing import List, Tuple
 import numpy as np
 
 from .._errors import ArgumentError
+from .._units import metres_per
 
 UNITS = {"length": "m", "pressure": "Pa", "force": "N"}
 PREFIXES = {
@@ -25,6 +26,9 @@ def _quantity(option: str, text: str, kind: str, alone: float) -> Tuple[float, s
     value, unit = float(match[1]), match[2]
     if not unit:
         return value * alone, unit
+    metres = metres_per(unit)
+    if kind == "length" and metres is not None:
+        return value * metres, unit
     symbol = UNITS[kind]
     prefix = unit[: -len(symbol)]
     if not unit.endswith(symbol) or prefix not in PREFIXES:

@@ -6,8 +6,8 @@ import shlex
 from typing import Any, List, NoReturn, Optional, Sequence, Tuple
 
 from .._errors import ArgumentError
-from .._data_arrays import METRES
 from .._elastic import modulus_of
+from .._units import KNOWN, metres_of, metres_per
 from ..system import REPEATS
 from .quantities import quantities, quantity, targets
 
@@ -51,6 +51,12 @@ def _number(text: str) -> float:
         raise argparse.ArgumentTypeError(f"{text!r} is not a number") from None
 
 
+def _unit(text: str) -> str:
+    if metres_per(text) is None:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a length unit, give {KNOWN}")
+    return text
+
+
 def _threads(text: str) -> int:
     if not text.isdecimal() or int(text) < 1:
         raise argparse.ArgumentTypeError(f"{text!r} is not a whole number above 0")
@@ -69,7 +75,7 @@ def parser() -> Parser:
     made.add_argument("--out", default="report.html", metavar="PAGE", help="the page to write (report.html)")
     made.add_argument("--format", metavar="NAME", help="format of the file, where contents and extension do not say it")
     made.add_argument("--pitch", metavar="H or HX,HY", help="cell size, where the file does not say it")
-    made.add_argument("--unit", choices=[*METRES], help="unit of lengths without a unit (m)")
+    made.add_argument("--unit", type=_unit, help="unit of lengths without a unit (m)")
     made.add_argument("--missing", choices=["reject", "fill", "exclude"], default="reject", help="missing points")
     made.add_argument(
         "--remove", choices=["none", "mean", "plane", "quadric"], default="none", help="least-squares form to take off (none)"
@@ -150,7 +156,7 @@ def read_request(arguments: Sequence[str]) -> Request:
     asked, unknown = made.parse_known_args(arguments, Request())
     known = [name for action in made._actions for name in action.option_strings if name.startswith("--") and name != "--help"]
     _check_words(arguments, known, unknown)
-    unit = METRES[asked.unit or "m"]
+    unit = metres_of(asked.unit or "m")
     asked.modulus, asked.material = _elasticity(asked)
     asked.control, asked.targets, asked.curve = _loading(asked, unit)
     if asked.pitch is not None:

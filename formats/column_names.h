@@ -1,0 +1,32 @@
+// Names of columns and lengths with their units: "X [mm]", "Höhe (µm)", "Z/um", "heights in nm".
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace rc::formats {
+
+enum class Axis { none, x, y, z, all };
+
+struct Label {
+  std::string_view name, unit;  // "" if there is none; the unit need not be known
+  Axis axis;                    // what the name stands for
+};
+
+Label label_of(std::string_view text);
+
+struct Labels {
+  std::vector<Label> each;
+  char separator = ' ';
+
+  bool all_named() const;  // all stand for an axis
+};
+
+// The labels in a line, separated by semicolons, tabs or commas; else by white space or the brackets around their units, if all
+// are known names or have known units; else the line is one label.
+Labels labels_of(std::string_view line);
+
+// Whether a known unit stands in brackets or after "in" somewhere in the line.
+bool mentions_unit(std::string_view line);
+
+}  // namespace rc::formats

@@ -1,0 +1,112 @@
+"""Units of files: read at every place where exports name them, said where they are assumed, refused where they contradict."""
+import json
+
+import reading
+import writers
+from harness import gsf, np
+from reading import ReaderTest, bumps
+from unit_matrix import STEP, cases, heights
+
+HX, HY = 2e-6, 3e-6
+
+
+class Text(ReaderTest):
+    def test_every_place_of_a_unit_against_every_other(self):
+        z = np.array(heights())
+        for name, contents, unit, metres in cases():
+            with self.subTest(name=name, header=contents[:60], unit=unit):
+                arguments = [] if unit is None else ["--unit", unit]
+                if metres is None:
+                    self.assert_refused(name, contents, "unit", *arguments)
+                    continue
+                pitch = (STEP * metres[0],) * 2 if name[0] == "a" else (None, None)
+                _, found, found_pitch, note = self.read(self.file(name, contents), *arguments)
+                np.testing.assert_allclose(found, z * metres[1], rtol=1e-12)
+                self.assertEqual(found_pitch[0] is None, pitch[0] is None)
+                if pitch[0]:
+                    np.testing.assert_allclose(found_pitch, pitch, rtol=1e-9)
+                self.assertEqual("lengths without a unit are in m" in note, unit is None and metres == (1, 1))
+        latin = "X [\u00b5m];Y [\u00b5m];Z [\u00c5]\n0;0;1\n1;0;2\n0;1;3\n1;1;4\n"
+        self.assert_reads("a.csv", latin.encode("latin-1"), np.array([[1, 2], [3, 4]]) * 1e-10, (1e-6, 1e-6), atol=0)
+
+    def test_the_command_reads_and_refuses_the_same(self):
+        z = np.array(heights())
+        chosen = [case for k, case in enumerate(cases()) if k % 5 == 0]
+        for name, contents, unit, metres in chosen:
+            with self.subTest(name=name, header=contents[:60], unit=unit):
+                pitch = [] if name[0] == "a" else ["--pitch", "2um"]
+                arguments = ["analyze", self.file(name, contents), *pitch, *([] if unit is None else ["--unit", unit]), "--json", "a.json"]
+                if metres is None:
+                    (self.folder / "a.json").unlink(missing_ok=True)
+                    self.assert_fails(*arguments, says=[name, "unit"])
+                    continue
+                done = self.run_command(*arguments)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                found = json.loads((self.folder / "a.json").read_text())
+                level = np.c_[np.ones(z.size), np.mgrid[: z.shape[0], : z.shape[1]].reshape(2, -1).T]
+                rms = (z.ravel() - level @ np.linalg.lstsq(level, z.ravel(), rcond=None)[0]).std() * metres[1]
+                self.assertAlmostEqual(found["statistics"]["rms_height"] / rms, 1, delta=1e-6)
+                self.assertAlmostEqual(found["input"]["hx"] / (STEP * metres[0] if name[0] == "a" else 2e-6), 1, delta=1e-9)
+                assumed = unit is None and metres == (1, 1)
+                self.assertEqual("lengths without a unit are taken in m" in done.stderr, assumed, done.stderr)
+                self.assertEqual("lengths without a unit are taken in m" in found["input"]["assumed"], assumed)
+
+    def test_titles_and_listings(self):
+        rows, z = "1 2\n3 4\n", np.array([[1, 2], [3, 4.0]])
+        for title in ("Unit 7 of the laboratory", "Units and more", "Height map of steel", "# Height, forward, 2024", "# Filter (80 um)"):
+            self.assert_reads("a.txt", title + "\n" + rows, z, (None, None), note="names none of its heights")
+        for title in ("Unit um", "Units [um]", "Height / um"):
+            self.assert_reads("a.txt", title + "\n" + rows, z * 1e-6, (None, None), atol=0)
+        nova = "File Format = ASCII\nScale X = 1\nScale Y = 1\nUnit X = um\n"
+        self.assert_reads("a.txt", nova + "Z [nm]\nnan 2\n3 4\n", np.array([[np.nan, 2], [3, 4]]) * 1e-9, (1e-6, 1e-6), atol=0)
+        self.assert_refused("a.txt", "# X [furlong]\n# Z [nm]\n" + rows, '"furlong", is not a length')
+
+    def test_exports_as_instruments_write_them(self):
+        z = np.array([[1.5, np.nan, 2.5], [0.5, 1.0, 2.0]])
+        for text in ("1.5;;2.5\n0.5;1;2\n", "1,5;;2,5;\n0,5;1;2;\n", "1.5\t\t2.5\n0.5\t1\t2\n", "1.5,,2.5\n0.5,1,2\n", "\t1.5\t\t2.5\n\t0.5\t1\t2\n",
+                     "Messprotokoll;M\u00fcller\nDatum;12.05.2024\n\nA;B;C\n1,5;;2,5\n0,5;1;2\n", "1.5;;2.5\n0.5;1;2\nEnd of data\n", "1.5;;2.5\n0.5;1;2\n;;\n;;\n"):
+            self.assert_reads("a.csv", text, z, (None, None))
+        self.assert_refused("a.csv", "1;2;\n3;4;5;\n", "row 2 has 4 values")
+        self.assert_reads("a.csv", "1;2;\n3;4;5\n", np.array([[1, 2, np.nan], [3, 4, 5]]), (None, None))
+        key_and_value = "Width;6 um\nHeight [um];4\nz-unit;nm\n1;2;3\n4;5;6\n"
+        self.assert_reads("a.csv", key_and_value, np.arange(1.0, 7).reshape(2, 3) * 1e-9, (2e-6, 2e-6), atol=0)
+        other_order = "Z [nm];note;Y [um];X [um]\n" + "".join("%d;7;%d;%d\n" % (10 * j + i, j, i) for j in range(2) for i in range(3))
+        self.assert_reads("a.csv", other_order, np.array([[0, 1, 2], [10, 11, 12]]) * 1e-9, (1e-6, 1e-6), atol=0, note="beside x, y and z are not read")
+        for text, says in (("0,5, 1,5\n0,5, 2,5\n", "decimal mark"), ("1;2\nx3;4\n5;6\n", 'row 2, column 1: "x3"'), ("1;2\nwords\n5;6\n", "words"),
+                           ("Left [um];Right [nm]\n1;2\n3;4\n", "two units"), ("# Width: 3 um\n# x-unit: nm\n1 2\n3 4\n", "two units")):
+            self.assert_refused("a.csv", text, says)
+
+
+class Others(ReaderTest):
+    def test_what_headers_leave_out_is_said(self):
+        z = bumps()
+        sur = lambda unit: writers.sur(z, HX, HY, 1e-9, unit=unit, per_metre=1)
+        bare_y = writers.netcdf({"heights": (("x", "y"), z.T * 1e6, {}), "x": (("x",), np.arange(11.0), {"length": 22.0, "unit": "um"}),
+                                 "y": (("y",), np.arange(7.0), {"length": 21.0})}, {"x": 11, "y": 7})
+        for name, contents, says in (
+                ("a.gsf", gsf(z, HX, HY), "names none of its pitch and heights"), ("a.gsf", gsf(z, HX, HY, "ZUnits = m\n"), "names none of its pitch"),
+                ("a.gsf", gsf(z, HX, HY, "XYUnits = m\n"), "names none of its heights"), ("a.gsf", gsf(z, HX, HY, "XYUnits = m\nZUnits = m\n"), ""),
+                ("a.sur", sur(""), "names none of its pitch and heights"), ("a.sur", sur("m"), ""),
+                ("a.nc", writers.contact_engineering(z, HX, HY, None), "names none of its pitch and heights"),
+                ("a.nc", bare_y, "the coordinates along y have no unit, that of x is taken, um; the heights have no unit, that of x is taken, um"),
+                ("a.x3p", writers.x3p(z, HX, HY), ""), ("a.sdf", writers.sdf_text(z, HX, HY, 1e-9), ""), ("a.plu", writers.plu(z, HX, HY), ""),
+                ("a.txt", "# Width: 22 um\n# Height: 21\n# Value units: nm\n" + "\n".join(" ".join("%g" % (v * 1e9) for v in row) for row in z), "names none of its pitch"),
+                ("a.gsf", gsf(z * 1e10, HX, HY, "XYUnits = m\nZUnits = A\n"), "the unit A of the heights is read as angstrom")):
+            with self.subTest(name=name, says=says):
+                note = self.read(self.file(name, contents))[3].strip()
+                self.assertIn(says, note)
+                self.assertEqual("without a unit" in note, "names none" in says)
+        self.assert_reads("a.nc", bare_y, z, (HX, HY))
+
+    def test_a_unit_beside_those_of_the_file_is_refused(self):
+        z = bumps()
+        for name, contents, own in (("a.gsf", gsf(z, HX, HY, "XYUnits = m\nZUnits = m\n"), "m"), ("a.sur", writers.sur(z, HX, HY, 1e-9, unit="mm", per_metre=1e3), "mm"),
+                                    ("a.nc", writers.contact_engineering(z, HX, HY), "m"), ("a.x3p", writers.x3p(z, HX, HY), "m"),
+                                    ("a.sdf", writers.sdf_text(z, HX, HY, 1e-9), "m"), ("a.plu", writers.plu(z, HX, HY), "um")):
+            with self.subTest(name):
+                self.assert_refused(name, contents, "is %s in the file, but the unit given is nm" % own, "--unit", "nm")
+                self.assert_reads(name, contents, z, (HX, HY), "--unit", own)
+
+
+if __name__ == "__main__":
+    reading.main()
