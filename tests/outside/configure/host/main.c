@@ -9,8 +9,7 @@ int main(void) {
   rc_result result = RC_RESULT_INIT;
   rc_options* options = NULL;
   rc_status status;
-  for (int i = 0; i < 256; ++i)
-    gap[i] = ((i % 16 - 7.5) * (i % 16 - 7.5) + (i / 16 - 7.5) * (i / 16 - 7.5)) / 100;
+  for (int i = 0; i < 256; ++i) gap[i] = ((i % 16 - 7.5) * (i % 16 - 7.5) + (i / 16 - 7.5) * (i / 16 - 7.5)) / 100;
   system.boundary = RC_BOUNDARY_FREE;
   system.nx = system.ny = 16;
   system.hx = system.hy = system.modulus = 1;
