@@ -28,6 +28,15 @@ target_compile_options(rc_compile INTERFACE $<$<COMPILE_LANGUAGE:C,CXX>:-Wall;-W
   $<$<AND:$<COMPILE_LANG_AND_ID:CXX,GNU>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,13>>:-Wno-array-bounds;-Wno-dangling-reference;-Wno-stringop-overflow>
   $<$<AND:$<BOOL:${WIN32}>,$<COMPILE_LANGUAGE:C,CXX>>:-Wno-format>  # MinGW checks them as those of Microsoft's older functions, which it does not call
   $<$<AND:$<BOOL:${RC_WERROR}>,$<COMPILE_LANGUAGE:C,CXX>>:-Werror>)
+# In another project's build without a build type and without flags of its own, our targets are optimised as in a release.
+if(NOT PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  foreach(language IN ITEMS C CXX)
+    if(NOT CMAKE_${language}_FLAGS MATCHES "(^| )-O")
+      separate_arguments(release NATIVE_COMMAND "${CMAKE_${language}_FLAGS_RELEASE}")
+      target_compile_options(rc_compile INTERFACE "$<$<COMPILE_LANGUAGE:${language}>:${release}>")
+    endif()
+  endforeach()
+endif()
 if(RC_SANITIZE)
   target_compile_options(rc_compile INTERFACE -fsanitize=${RC_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(rc_compile INTERFACE -fsanitize=${RC_SANITIZE})

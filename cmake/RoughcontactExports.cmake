@@ -22,7 +22,7 @@ function(rc_export target map)
     # Microsoft's linker takes the one import library, GNU's the other.
     set(microsoft ${CMAKE_ARCHIVE_OUTPUT_DIRECTORY}/${name}.lib)
     add_custom_command(TARGET ${target} POST_BUILD COMMAND ${CMAKE_DLLTOOL} -d ${list} -l ${microsoft} BYPRODUCTS ${microsoft} VERBATIM)
-    install(FILES ${list} ${microsoft} DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+    rc_install(FILES ${list} ${microsoft} DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
   elseif(APPLE)
     file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${target}.exports CONTENT "_rc_*\n")
     target_link_options(${target} PRIVATE -Wl,-exported_symbols_list,${CMAKE_CURRENT_BINARY_DIR}/${target}.exports)

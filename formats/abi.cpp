@@ -102,8 +102,8 @@ Surface surface_of(std::int64_t nx, std::int64_t ny, const double* heights) {
   surface.heights.assign(heights, heights + nx * ny);
   const auto infinite = std::ranges::find_if(surface.heights, [](double z) { return std::isinf(z); });
   if (infinite != surface.heights.end())
-    fail(RC_ERR_ARGUMENT, "heights has an infinite value at index ", infinite - surface.heights.begin(),
-         "; a missing point is NaN");
+    fail(RC_ERR_ARGUMENT, "heights has an infinite value at ix=", (infinite - surface.heights.begin()) % nx,
+         ", iy=", (infinite - surface.heights.begin()) / nx, "; a missing point is NaN");
   return surface;
 }
 

@@ -306,6 +306,14 @@ def python_constants(interfaces: List[Interface]) -> str:
     return "\n".join(lines)
 
 
+def python_limits() -> str:
+    table = (ROOT / "tools/solve/elastic_limits.def").read_text()
+    bodies = re.findall(r'^RC_HARDNESS\((\S+), "(.*)"\)$', table, re.M)
+    (strain,) = re.findall(r"^RC_SMALL_STRAIN\((\S+)\)$", table, re.M)
+    pairs = ", ".join(f'({hardness}, "{body}")' for hardness, body in bodies)
+    return f"HARDNESSES = ({pairs})  # [Pa], the hardest first\nSMALL_STRAIN = {strain}  # largest pressure over E*"
+
+
 def python_status(interface: Interface) -> str:
     members = next(values for values in interface.enums if "RC_OK" in values)
     return "\n".join(
@@ -428,6 +436,7 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
         f"{python}/_constants.py": python_module(
             "The constants of the headers, under their names there.", python_constants([contact, surface, formats])
         ),
+        f"{python}/_limits.py": python_module("Where an elastic answer stops making sense.", python_limits()),
         f"{python}/_status.py": python_module("How a call ended.", python_status(contact)),
         f"{python}/_structs.py": python_module(
             "The structs of the headers, member by member, with the values of the RC_..._INIT macros.",

@@ -61,9 +61,12 @@ std::string with_prefix(double value, const char* unit, int digits) {
   const std::string_view name = unit;
   const int power = name.ends_with("^2") ? 2 : name.ends_with("^3") ? 3 : 1;
   const Prefix prefix = prefix_for(value, power);
-  const double number = value / prefix.factor;
+  const double number = value / prefix.factor + 0.0;  // never -0
   const bool large = power > 1 && std::abs(number) >= 1000;
-  return (large ? format("%.0f", number) : format("%.*g", digits, number)) + " " + prefix.symbol + unit;
+  std::string text = large ? format("%.0f", number) : format("%.*g", digits, number);
+  if (text.find("e+") != std::string::npos)
+    text = format("%.0f", std::stod(text));  // more digits before the point than asked for
+  return text + " " + prefix.symbol + unit;
 }
 
 }  // namespace cli

@@ -42,7 +42,7 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_result
-    integer(c_size_t) :: struct_size = merge(616, 596, c_intptr_t == 8)
+    integer(c_size_t) :: struct_size = merge(968, 948, c_intptr_t == 8)
     type(rc_array) :: p = rc_array(), gap = rc_array()
     integer(rc_status) :: status = RC_ERR_ARGUMENT
     integer(c_int32_t) :: homogeneous = 0
@@ -57,7 +57,7 @@ module roughcontact_structs
     real(c_double) :: plastic_volume = 0
     integer(c_int64_t) :: proven_capped = 0, points = 0, candidates = 0, modelled = 0, iterations = 0, products = 0, levels = 0
     real(c_double) :: seconds = 0, setup_seconds = 0
-    character(kind=c_char) :: solver(32) = c_null_char, backend(32) = c_null_char, kernel(32) = c_null_char, note(160) = c_null_char
+    character(kind=c_char) :: solver(32) = c_null_char, backend(32) = c_null_char, kernel(32) = c_null_char, note(512) = c_null_char
   end type
 
   type, bind(c) :: rc_accuracy
@@ -153,12 +153,12 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_direct
-    integer(c_size_t) :: struct_size = merge(248, 244, c_intptr_t == 8)
+    integer(c_size_t) :: struct_size = merge(600, 596, c_intptr_t == 8)
     integer(rc_status) :: status = RC_ERR_ARGUMENT
     integer(c_int32_t) :: reserved = 0
     integer(c_int64_t) :: iterations = 0, products = 0, contacts = 0
     real(c_double) :: load = 0, energy = 0, kkt = 0, duality_gap = 0, load_lower = 0, load_upper = 0
-    character(kind=c_char) :: note(160) = c_null_char
+    character(kind=c_char) :: note(512) = c_null_char
   end type
 
   type, bind(c) :: rc_area

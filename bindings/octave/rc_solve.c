@@ -1,5 +1,6 @@
 /* rc_solve as a MEX function, for Octave and for MATLAB. Build, in this folder:
- *   mkoctfile --mex rc_solve.c $(pkg-config --cflags --libs roughcontact)     (Octave)
+ *   mkoctfile --mex rc_solve.c $(pkg-config --cflags --libs roughcontact) \
+ *     -Wl,-rpath,$(pkg-config --variable=libdir roughcontact)                 (Octave)
  *   mex rc_solve.c -I<include> -L<lib> -lroughcontact -lut                    (MATLAB) */
 #include <math.h>
 #include <mex.h>

@@ -1,5 +1,6 @@
 /* rc_surface_read as a MEX function, for Octave and for MATLAB. Build, in this folder:
- *   mkoctfile --mex rc_surface_read.c $(pkg-config --cflags --libs roughcontact-formats)     (Octave)
+ *   mkoctfile --mex rc_surface_read.c $(pkg-config --cflags --libs roughcontact-formats) \
+ *     -Wl,-rpath,$(pkg-config --variable=libdir roughcontact)                 (Octave)
  *   mex rc_surface_read.c -I<include> -L<lib> -lroughcontact-formats                         (MATLAB) */
 #include <mex.h>
 #include <roughcontact/formats.h>

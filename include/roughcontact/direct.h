@@ -20,7 +20,7 @@ typedef struct rc_direct {
   double energy;        /* 1/2 p'Hp - u'p; rc_cmr: [force length]                                                    */
   double kkt;           /* the largest kkt_* residual, see rc_result                                                 */
   double duality_gap, load_lower, load_upper; /* as in rc_result                                                     */
-  char note[160];       /* as in rc_result                                                                           */
+  char note[512];       /* as in rc_result                                                                           */
 } rc_direct;
 #define RC_DIRECT_INIT RC_BEGIN_WITH(rc_direct, status = RC_ERR_ARGUMENT)
 

@@ -312,8 +312,8 @@ typedef struct rc_result {
   char solver[32];     /* what "auto" resolved to                                                                    */
   char backend[32];
   char kernel[32];
-  char note[160];      /* remarks: a probable mistake in units or heights, an unbounded interval, operations that the core
-                          replaced, remarks of the solver; whole remarks only; "" if none                           */
+  char note[512];      /* remarks: a probable mistake in units or heights, an unbounded interval, operations that the core
+                          replaced, remarks of the solver; whole remarks, and how many more there are; "" if none    */
 } rc_result;
 #define RC_RESULT_INIT RC_BEGIN_WITH(rc_result, status = RC_ERR_ARGUMENT)
 

@@ -12,7 +12,7 @@ LAW = roughcontact.Law.load(Path(__file__).with_suffix(".law"))
 
 def evaluate(gap, offset):
     """Minus the nominal pressure."""
-    return -float(LAW(-(gap + offset)))
+    return 0.0 - float(LAW(-(gap + offset)))  # without contact 0, not -0
 
 
 def evaluate_derivative(gap, offset):

@@ -7,15 +7,18 @@
 #include "abi/guard.h"
 #include "abi/sized_struct.h"
 #include "contact/calls/contact.h"
+#include "core/grid.h"
 
 namespace {
 
 using namespace rc;
 
-void check_array(const double* values, std::int64_t n, const char* name) {
+// nx: of a grid, whose points are then named by column and row; 0: of a vector.
+void check_array(const double* values, std::int64_t n, const char* name, std::int64_t nx = 0) {
   if (!values) fail(RC_ERR_ARGUMENT, name, " is null");
   for (std::int64_t i = 0; i < n; ++i)
-    if (!std::isfinite(values[i])) fail(RC_ERR_ARGUMENT, name, "[", i, "] = ", values[i], " is not finite");
+    if (!std::isfinite(values[i]))
+      fail(RC_ERR_ARGUMENT, name, "[", i, "] = ", values[i], " is not finite", nx > 0 ? " (" + place(i, nx) + ")" : "");
 }
 
 class Settings {
@@ -139,7 +142,7 @@ rc_status rc_cmr(int64_t nx, int64_t ny, double hx, double hy, double modulus, c
     if (inner) settings.set("cmr.inner", std::string(inner));
     Contact contact(system, settings.options());
     if (inner && std::string_view(inner) != "auto") settings.options().context->solver(inner);
-    check_array(heights, nx * ny, "heights");
+    check_array(heights, nx * ny, "heights", nx);
 
     std::vector<double> gap(static_cast<std::size_t>(nx * ny));
     raise_if_failed(rc_gap_from_heights(nx * ny, heights, nullptr, gap.data()), "the undeformed gap");

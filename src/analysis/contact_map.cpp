@@ -19,8 +19,9 @@ ContactMap::ContactMap(const rc_system& system, const double* p, const std::uint
   if (!p) fail(RC_ERR_ARGUMENT, "p is null");
   for (std::int64_t i = 0; i < points(); ++i) {
     if (!included(i)) continue;
-    if (!std::isfinite(p[i])) fail(RC_ERR_ARGUMENT, "p[", i, "] = ", p[i], " is not finite");
-    if (p[i] < 0) fail(RC_ERR_ARGUMENT, "p[", i, "] = ", p[i], " must be >= 0: contact pressures do not pull");
+    if (!std::isfinite(p[i])) fail(RC_ERR_ARGUMENT, "p[", i, "] = ", p[i], " is not finite (", place(i, system_.nx), ")");
+    if (p[i] < 0)
+      fail(RC_ERR_ARGUMENT, "p[", i, "] = ", p[i], " must be >= 0 (", place(i, system_.nx), "): contact pressures do not pull");
   }
 }
 

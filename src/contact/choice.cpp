@@ -28,6 +28,8 @@ constexpr double few_share = 0.05;  // of the grid's points: products that cost 
 constexpr double few_share_by_rows = 0.01;
 constexpr std::int64_t most_few_by_rows = 1 << 17;
 
+std::string in_full(double bytes) { return bytes < 9e18 ? join(static_cast<std::int64_t>(bytes)) : join(bytes); }
+
 std::string kind_of(const System& system) {
   if (system.given.op == RC_OPERATOR_DENSE) return "the caller's dense matrix";
   if (system.given.op == RC_OPERATOR_CALLBACK) return "the caller's product";
@@ -58,9 +60,10 @@ struct Candidate {
   const rc_solver* solver = nullptr;
   const rc_backend* backend = nullptr;
   double seconds = 0, bytes = 0;
-  bool scored = false;   // both say what they cost
-  bool repeats = true;   // its bits do not depend on threads, or may
-  std::string obstacle;  // why it cannot be chosen; "" if it can
+  bool scored = false;     // both say what they cost
+  bool repeats = true;     // its bits do not depend on threads, or may
+  std::string obstacle;    // why it cannot be chosen; "" if it can
+  bool too_large = false;  // the obstacle: bytes is more than this machine has
 
   bool operator<(const Candidate& other) const { return rank() < other.rank(); }
 
@@ -192,12 +195,20 @@ struct Question {
     if (!known) whole.seconds = given.backend->seconds + usual_products * given.backend->product + given.backend->field;
     if (!by.solve_many) whole.seconds /= static_cast<double>(std::min(facts.at_once, facts.threads));
     whole.bytes += given.backend->bytes;
-    if (any_backend && whole.bytes > rc_platform::machine_bytes())
-      return leave(list, &by, backend, "needs ", whole.bytes, " bytes on ", backend.name, ", this machine has ",
-                   rc_platform::machine_bytes());
+    if (any_backend && whole.bytes > rc_platform::machine_bytes()) {
+      leave(list, &by, backend, "needs ", in_full(whole.bytes), " bytes on ", backend.name, ", this machine has ",
+            in_full(rc_platform::machine_bytes()));
+      if (explain) list.back().bytes = whole.bytes, list.back().too_large = true;
+      return;
+    }
     if (!(whole.seconds >= 0)) return leave(list, &by, backend, "its estimate on ", backend.name, " is not a time");
     const bool repeats = (backend.caps & RC_CAP_THREAD_INVARIANT) != 0 || !deterministic;
-    list.push_back({&by, &backend, whole.seconds, whole.bytes, scored && known, repeats, {}});
+    list.push_back({.solver = &by,
+                    .backend = &backend,
+                    .seconds = whole.seconds,
+                    .bytes = whole.bytes,
+                    .scored = scored && known,
+                    .repeats = repeats});
   }
 };
 
@@ -219,6 +230,14 @@ std::vector<Candidate> answered(const Question& question, std::optional<Error>* 
       if (!contains(reasons, each.obstacle.c_str())) reasons.push_back(each.obstacle);
     if (missing) reasons.push_back(missing->what());
     fail(RC_ERR_INCOMPATIBLE, describe(reasons));
+  }
+  const Candidate* least = nullptr;
+  for (const Candidate& each : all)
+    if (each.too_large && (!least || each.bytes < least->bytes)) least = &each;
+  if (least) {
+    const rc_system& system = question.system.given;
+    fail(RC_ERR_MEMORY, kind_of(question.system), " and ", system.nx, " x ", system.ny, " points: ", least->solver->name, " ",
+         least->obstacle, "; use a coarser grid or a smaller domain");
   }
   const bool usable = std::any_of(all.begin(), all.end(), [](const Candidate& each) { return each.solver != nullptr; });
   if (usable && !question.solver) fail(RC_ERR_NO_SOLVER, "every solver that suits ", kind_of(question.system), " has failed");

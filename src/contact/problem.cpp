@@ -3,6 +3,7 @@
 #include "contact/choice.h"
 #include "contact/operators.h"
 #include "core/error.h"
+#include "core/grid.h"
 
 namespace rc {
 
@@ -40,6 +41,7 @@ GridProblem::GridProblem(const rc_system& given, const rc_options& given_options
       team_(team),
       company_(company) {
   set_options(given_options);
+  check_memory(system.given, own_points());
   if (!team_) {
     own_team_ = std::make_unique<ThreadTeam>(options.integer(RC_OPT_THREADS));
     team_ = own_team_.get();

@@ -79,13 +79,15 @@ void probe_dense(System& result) {
 // One product with a constant vector. It shows a failing callback before a solve depends on it, and gives the scale.
 void probe_callback(System& result) {
   const rc_system& system = result.given;
+  check_memory(system, result.points());
   const auto n = static_cast<std::size_t>(result.points());
   std::vector<double> x(n, 1.0), y(n, std::numeric_limits<double>::quiet_NaN());
   if (system.apply(x.data(), y.data(), result.points(), system.user) != 0)
     fail(RC_ERR_EXTERNAL, "the caller's apply function reported failure");
   double work = 0, largest = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    if (!std::isfinite(y[i])) fail(RC_ERR_NUMERIC, "the caller's apply function returned ", y[i], " at point ", i);
+    if (!std::isfinite(y[i]))
+      fail(RC_ERR_NUMERIC, "the caller's apply function returned ", y[i], " at ", place(static_cast<std::int64_t>(i), system.nx));
     work += y[i];
     largest = std::max(largest, std::abs(y[i]));
   }

@@ -8,6 +8,7 @@
 #include "core/array.h"
 #include "core/certificate_terms.h"
 #include "core/error.h"
+#include "core/grid.h"
 
 namespace rc {
 
@@ -49,7 +50,8 @@ void check(const Step& step, const GridProblem& problem, const StepSurface& surf
   problem.company().on_all([&] {
     for (std::int64_t i = 0; step.p0.data && i < problem.own_points(); ++i)
       if (const double p = value_at(step.p0, static_cast<std::size_t>(i)); !std::isfinite(p))
-        fail(RC_ERR_ARGUMENT, "rc_step.p0[", i, "] = ", p, " is not finite");
+        fail(RC_ERR_ARGUMENT, "rc_step.p0[", i, "] = ", p, " is not finite (",
+             place(problem.company().first_row() * system.given.nx + i, system.given.nx), ")");
   });
 }
 

@@ -15,6 +15,8 @@ template <class Action, class Told> rc_status caught(const Action& action, const
     return action();
   } catch (const Error& error) {
     return told(error.code(), error.what());
+  } catch (const OutOfMemory& error) {
+    return told(RC_ERR_MEMORY, error.what());
   } catch (const std::bad_alloc&) {
     return told(RC_ERR_MEMORY, "out of memory");
   } catch (const Cancelled&) {

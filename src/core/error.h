@@ -3,7 +3,9 @@
 
 #include <roughcontact/roughcontact.h>
 
+#include <cstdio>
 #include <exception>
+#include <new>
 #include <string>
 
 #include "core/text.h"
@@ -19,6 +21,18 @@ class Error : public std::exception {
  private:
   rc_status code_;
   std::string message_;
+};
+
+// An array that the system does not provide. Its message is formatted without memory.
+class OutOfMemory : public std::bad_alloc {
+ public:
+  explicit OutOfMemory(std::size_t bytes) {
+    std::snprintf(message_, sizeof message_, "out of memory: %zu bytes were asked for", bytes);
+  }
+  const char* what() const noexcept override { return message_; }
+
+ private:
+  char message_[64];
 };
 
 // fail(RC_ERR_SHAPE, "nx = ", nx, " must be >= 1")

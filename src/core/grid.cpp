@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "platform/memory.h"
 
 namespace rc {
 
@@ -14,6 +15,8 @@ void check_length(double value, const char* name) {
 }
 
 }  // namespace
+
+std::string place(std::int64_t point, std::int64_t nx) { return join("ix=", point % nx, ", iy=", point / nx); }
 
 void check_grid(const rc_system& system) {
   if (system.op < RC_OPERATOR_HALFSPACE || system.op > RC_OPERATOR_CALLBACK)
@@ -35,6 +38,13 @@ void check_grid(const rc_system& system) {
   if (system.op == RC_OPERATOR_HALFSPACE && (system.boundary < RC_BOUNDARY_FREE || system.boundary > RC_BOUNDARY_PERIODIC_Y))
     fail(RC_ERR_ARGUMENT, "rc_system.boundary = ", system.boundary,
          " is none of RC_BOUNDARY_FREE (1), _PERIODIC (2), _PERIODIC_X (3), _PERIODIC_Y (4)");
+}
+
+void check_memory(const rc_system& system, std::int64_t points) {
+  const double bytes = static_cast<double>(sizeof(double)) * static_cast<double>(points), machine = rc_platform::machine_bytes();
+  if (bytes > machine)
+    fail(RC_ERR_MEMORY, "nx*ny = ", system.nx, " * ", system.ny, " points need at least ", static_cast<std::int64_t>(bytes),
+         " bytes, this machine has ", static_cast<std::int64_t>(machine), "; use a coarser grid or a smaller domain");
 }
 
 }  // namespace rc

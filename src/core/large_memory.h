@@ -3,9 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <new>
 #include <roughcontact/plugin.hpp>
 #include <vector>
 
+#include "core/error.h"
 #include "platform/memory.h"
 
 namespace rc {
@@ -18,7 +20,11 @@ inline void prefer_large(void* begin, std::size_t bytes) {
 }
 
 template <class Value> void reserve_large(std::vector<Value>& values, std::size_t n) {
-  values.reserve(n);
+  try {
+    values.reserve(n);
+  } catch (const std::bad_alloc&) {
+    throw OutOfMemory(n * sizeof(Value));
+  }
   prefer_large(values.data() + values.size(), (values.capacity() - values.size()) * sizeof(Value));
 }
 

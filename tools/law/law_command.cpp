@@ -211,6 +211,7 @@ PatchLaw make_law(LawArguments& arguments) {
   check_law(law.status, law.status == RC_ERR_INFEASIBLE ? "--pressure" : "");
   if (law.status > 0) law.remark = in_options(last_message());
   for (const std::string& note : problem.input.notes) report(note);
+  law.asked_conductance = spec.tolerance_conductance;
   context.report_log();
   law.assumed = problem.input.assumed;
   law.source = rc_platform::path_of(problem.input.file).filename().string() +
@@ -254,6 +255,11 @@ std::vector<LawRow> rows_at(const PatchLaw& law, const Places& places) {
 
 // Whether everything asked for is proven; reports what is not.
 bool all_proven(const PatchLaw& law, const std::vector<LawRow>& rows) {
+  if (law.asked_conductance > 0 && law.info.width_conductance > law.asked_conductance)
+    report(
+        format("note: the conductance is within %.2g %% somewhere, not within the %.2g %% of --conductance-tolerance: the slope "
+               "jumps where points touch, and more nodes do not narrow a jump",
+               100 * law.info.width_conductance, 100 * law.asked_conductance));
   if (law.status > 0) report(format("the law is not certified (%s): ", rc_status_name(law.status)) + law.remark);
   const auto outside = std::ranges::find_if(rows, &LawRow::beyond);
   if (outside == rows.end()) return law.status == RC_OK;

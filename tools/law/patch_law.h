@@ -30,10 +30,11 @@ struct PatchLaw {
   std::unique_ptr<rc_law, Destroy<rc_law_destroy>> handle;
   rc_law_info info = RC_LAW_INFO_INIT;  // in the law's units
   LawUnits units{};
-  std::string source{};      // the name of its file, and how the surface was prepared
-  std::string assumed{};     // of its surface, as SurfaceInput has it
-  rc_status status = RC_OK;  // of making it
-  std::string remark{};      // why the status is not RC_OK
+  std::string source{};          // the name of its file, and how the surface was prepared
+  std::string assumed{};         // of its surface, as SurfaceInput has it
+  rc_status status = RC_OK;      // of making it
+  std::string remark{};          // why the status is not RC_OK
+  double asked_conductance = 0;  // tolerance; 0: none was asked for
 
   // In SI units, at an overclosure or at a pressure in SI units.
   LawRow row(double x) const;

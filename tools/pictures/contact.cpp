@@ -99,7 +99,7 @@ double bright_pressure(const std::vector<double>& pressure) {
   return contacts.empty() ? 1 : quantile(std::move(contacts), 0.99);
 }
 
-// A ring around the largest pressure, which may be of a single point.
+// A ring around the largest pressure; of several points that carry it, around the first.
 std::string ring(const Surface& surface, const Layout& layout, std::size_t point) {
   const std::int64_t x = static_cast<std::int64_t>(point) % surface.nx, y = static_cast<std::int64_t>(point) / surface.nx;
   const auto place = [](std::int64_t i, std::int64_t count, std::int64_t pixels) {
@@ -127,8 +127,11 @@ std::string pressure_panel(const Picture& picture, const Layout& layout, const s
   }
   const auto largest = std::ranges::max_element(picture.pressure);
   const Prefix prefix = prefix_for(bright);
+  const auto points = std::ranges::count(picture.pressure, *largest);
+  const std::string where =
+      points == 1 ? " in the ring" : format(" at %lld points, one in the ring", static_cast<long long>(points));
   std::string text = layout.frame(1, "pressure [" + prefix.symbol + "Pa]",
-                                  *largest > 0 ? "largest " + with_prefix(*largest, "Pa") + " in the ring" : "no contact");
+                                  *largest > 0 ? "largest " + with_prefix(*largest, "Pa") + where : "no contact");
   if (*largest > 0) text += ring(surface, layout, static_cast<std::size_t>(largest - picture.pressure.begin()));
   return text + layout.colour_bar(1, palette, 0, bright / prefix.factor) + layout.image() + bytes;
 }

@@ -1,5 +1,9 @@
 #include "solve/conclusion.h"
 
+#include <algorithm>
+#include <optional>
+
+#include "surface/shapes.h"
 #include "text.h"
 #include "units.h"
 
@@ -7,16 +11,17 @@ namespace cli {
 
 namespace {
 
-// Hardest martensitic steels and single crystals of diamond are below these [Pa].
-constexpr double hardest_steel = 10e9, hardest_diamond = 150e9;
-constexpr double small_strain = 0.2;  // largest pressure over E*
-
 std::string limit(double pressure, double modulus) {
-  for (const auto& [hardness, body] : {std::pair{hardest_diamond, "diamond"}, std::pair{hardest_steel, "any steel"}}) {
-    if (pressure > hardness)
-      return format("; warning: above the hardness of %s, this is a purely elastic answer (add --hardness)", body);
-  }
-  if (pressure > small_strain * modulus)
+  const auto above = [](const char* body) {
+    return format("; warning: above the hardness of %s, this is a purely elastic answer (add --hardness)", body);
+  };
+#define RC_HARDNESS(hardness, body) \
+  if (pressure > hardness) return above(body);
+#define RC_SMALL_STRAIN(share) const bool strained = pressure > share * modulus;
+#include "solve/elastic_limits.def"
+#undef RC_HARDNESS
+#undef RC_SMALL_STRAIN
+  if (strained)
     return format("; warning: that is %.2g E*, linear elasticity does not hold there (add --hardness)", pressure / modulus);
   return "";
 }
@@ -43,6 +48,18 @@ std::string reached(const Problem& problem, const StepRecord& step) {
   if (problem.control == "load") return with_prefix(step.result.load, "N");
   if (problem.control == "pressure") return with_prefix(step.result.mean_pressure, "Pa");
   return with_prefix(step.result.approach, "m");
+}
+
+std::string small_map(const Problem& problem, const rc_result& r) {
+  const std::optional<Shape>& shape = problem.input.body;
+  if (!shape || r.contacts == 0) return "";
+  const rc_system& s = problem.system;
+  const double x = static_cast<double>(s.nx) * s.hx, y = static_cast<double>(s.ny) * s.hy;
+  const double width = contact_width(*shape, r.load, s.modulus, shape->along_x ? x : y);
+  const double side = shape->name == "sphere" ? std::min(x, y) : shape->along_x ? y : x;
+  if (!(width > side)) return "";
+  return "Hertz' contact of this shape and load is " + with_prefix(width, "m", 2) + " wide, the map " +
+         with_prefix(side, "m", 2) + ": press a larger map";
 }
 
 std::string conclusion(const Problem& problem, const StepRecord& last) {

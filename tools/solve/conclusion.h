@@ -12,6 +12,10 @@ namespace cli {
 std::string asked(const Problem& problem, std::size_t step);
 std::string reached(const Problem& problem, const StepRecord& step);
 
+// That the contact of the given shape does not fit on the map, which then presses as a punch of its size; "" if it does, or
+// without a shape.
+std::string small_map(const Problem& problem, const rc_result& result);
+
 // "step 3 of 3: contact area 11.3 % at 131 N; largest pressure 37 GPa; warning: above the hardness of any steel, ..."
 std::string conclusion(const Problem& problem, const StepRecord& last);
 

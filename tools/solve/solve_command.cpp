@@ -42,11 +42,12 @@ int32_t on_progress(const rc_progress* progress, void* bar) {
 }
 
 // The library's remarks, with the option that helps, and the command's.
-std::string remarks(const StepRecord& step) {
+std::string remarks(const Problem& problem, const StepRecord& step) {
   constexpr std::string_view doubt = "level them";
   std::string text = step.result.note;
   if (const auto place = text.find(doubt); place != std::string::npos) text.insert(place + doubt.size(), " with --remove plane");
-  if (!step.remark.empty()) text += (text.empty() ? "" : "; ") + step.remark;
+  for (const std::string& own : {step.remark, small_map(problem, step.result)})
+    if (!own.empty()) text += (text.empty() ? "" : "; ") + own;
   return text;
 }
 
@@ -119,7 +120,7 @@ ExitCode run_solve(const SolveArguments& arguments) {
     if (!arguments.quiet) print_table_row(problem, step);
     if (!step.good()) report_uncertified(problem, step);
     if (arguments.explain) report_choice(contact.get());
-    const std::string said = remarks(step);
+    const std::string said = remarks(problem, step);
     if (!said.empty() && said != remarked) report("remark: " + said);
     remarked = said;
     if (files) files->write(step, fields);

@@ -123,7 +123,7 @@ SurfaceInput read_input(const SurfaceArguments& arguments, bool can_exclude) {
     throw Error("--missing: points cannot be excluded here, spectra need all of them; give reject or fill");
 
   if (arguments.format) check_format(*arguments.format);
-  std::optional<Shape> shape;
+  std::optional<Shape>& shape = input.body;
   if (arguments.shape) shape = parse_shape(*arguments.shape, unit);
   input.shape = arguments.shape.value_or("");
 

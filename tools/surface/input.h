@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "formats/surface.h"
+#include "surface/shapes.h"
 
 namespace cli {
 
@@ -24,6 +25,7 @@ struct SurfaceInput {
   rc::formats::Surface surface;    // with its pitch; excluded points have the height NaN
   std::string against;             // file of the other body's heights, which were added; "" if it is flat
   std::string shape;               // that was added, as given; "" if none
+  std::optional<Shape> body;       // the same
   std::string removed;             // "none", "mean", "plane" or "quadric"
   std::int64_t missing = 0;        // points
   std::string missing_rule;        // what was done with them: "reject" (there are none), "fill" or "exclude"

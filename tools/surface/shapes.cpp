@@ -59,6 +59,12 @@ Shape parse_shape(std::string_view text, double unit) {
   return shape;
 }
 
+double contact_width(const Shape& shape, double load, double modulus, double length) {
+  if (shape.name == "sphere") return 2 * std::cbrt(3 * load * shape.radius / (4 * modulus));
+  if (shape.name == "wedge") return 2 * load / (length * modulus * std::tan(shape.angle));
+  return 2 * std::sqrt(4 * load * shape.radius / (3.14159265358979323846 * length * modulus));
+}
+
 void add_shape(const Shape& shape, Surface& surface) {
   for (std::int64_t iy = 0; iy < surface.ny; ++iy) {
     for (std::int64_t ix = 0; ix < surface.nx; ++ix) {

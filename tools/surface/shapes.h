@@ -21,6 +21,10 @@ struct Shape {
 // Lengths without a unit count in `unit`. Throws an Error that says what was expected.
 Shape parse_shape(std::string_view text, double unit);
 
+// The width of the contact of a smooth body of this shape with a half-space: Hertz for a sphere and a cylinder, Johnson (1985),
+// equation 5.5, for a wedge. length: of the cylinder or wedge along its axis.
+double contact_width(const Shape& shape, double load, double modulus, double length);
+
 // Adds the shape to all heights. Throws an Error if the surface reaches beyond the sphere or cylinder.
 void add_shape(const Shape& shape, rc::formats::Surface& surface);
 

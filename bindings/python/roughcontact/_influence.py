@@ -1,5 +1,7 @@
 """Products with the influence matrix, for programs that have a solver of their own."""
 
+from __future__ import annotations
+
 import ctypes
 import weakref
 from typing import Any, Optional, Tuple
@@ -23,8 +25,9 @@ class Influence(OwnsHandle):
     system: `HalfSpace`, `Matrix` or `Product`. Periodic: the mean pressure deflects nothing, so deflections have mean 0
     options: of backends and products, see `roughcontact.options()`
 
-    p: an array of the system's shape, or its values in one row; the answer has the same shape and memory order. One thread at a
-    time. `shape`, `dtype` and `matvec` are those that SciPy's `aslinearoperator` asks for.
+    p: an array of the system's shape, its n values in one row or as a column (n, 1), or k such columns (n, k); the answer has the
+    same shape and memory order. One thread at a time. H is symmetric. It serves SciPy: `aslinearoperator(H)` goes to `cg`, `eigsh`,
+    `svds` and the like.
     """
 
     dtype = np.dtype(np.float64)
@@ -48,21 +51,33 @@ class Influence(OwnsHandle):
         return n, n
 
     def __matmul__(self, p: ArrayLike) -> Doubles:
-        return self.matvec(p)
-
-    def matvec(self, p: ArrayLike) -> Doubles:
         array = p if isinstance(p, np.ndarray) and p.dtype == np.float64 and p.dtype.isnative else as_doubles(p, "p")
-        if array.shape not in (self.system.shape, (self.shape[0],)):
-            raise ShapeError(f"p has shape {array.shape}; {self.system.shape} or {(self.shape[0],)} is needed")
+        n = self.shape[0]
+        columns = array.ndim == 2 and array.shape[0] == n and array.shape != self.system.shape
+        if not columns and array.shape not in (self.system.shape, (n,)):
+            raise ShapeError(f"p has shape {array.shape}; {self.system.shape}, {(n,)} or ({n}, k) is needed")
         if any(step % 8 for step in array.strides):
             array = array.copy(order="K")
         u = np.empty_like(array)
-        here, there = (self._distances(each) for each in (array, u))
+        for one, answer in zip(array.T, u.T) if columns else [(array, u)]:
+            self._apply(one, answer)
+        return u
+
+    matvec = matmat = rmatvec = rmatmat = __matmul__
+
+    @property
+    def T(self) -> Influence:
+        """The same: H is symmetric and real."""
+        return self
+
+    H = T
+
+    def _apply(self, p: Doubles, u: Doubles) -> None:
+        here, there = (self._distances(each) for each in (p, u))
         with self._use.by_caller():
-            status = contact_library().rc_product_apply(self._handle, pointer(array), *here, pointer(u), *there)
+            status = contact_library().rc_product_apply(self._handle, pointer(p), *here, pointer(u), *there)
             self._product.raise_first()
             check(status)
-        return u
 
     def _distances(self, array: Doubles) -> Tuple[int, int]:
         """Values between neighbours in x and in y."""

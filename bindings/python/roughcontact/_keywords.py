@@ -66,6 +66,15 @@ class Prescribed:
     control: int
     targets: Any
 
+    def target(self) -> float:
+        """The value of a call that solves one step."""
+        if np.size(self.given) != 1:
+            raise ArgumentError(
+                f"{self.name} has {np.size(self.given)} values, and this call solves one step; roughcontact.history and "
+                "Contact.history solve one step for each"
+            )
+        return float(np.ravel(self.targets)[0])
+
 
 def prescribed(system: System, **ways: Optional[ArrayLike]) -> Prescribed:
     """The one that is given of approach, load and pressure, which is a mean one, over the whole grid."""

@@ -217,7 +217,7 @@ def law(
     Other arguments as in `solve` and `rc_law_spec`.
     """
     options = options_of(law, options, keywords, context)
-    found, gap, points = system_for(
+    found, gap, points, _ = system_for(
         heights,
         undeformed_gap,
         mask,

@@ -3,7 +3,7 @@
 libroughcontact, the first of these that exists:
   1. the file that the environment variable ROUGHCONTACT_LIBRARY names; nothing else is tried then
   2. the one inside this package, where it was installed from a wheel
-  3. the one of the same prefix: PREFIX/lib/python3/dist-packages/roughcontact belongs to PREFIX/lib, on Windows to PREFIX/bin
+  3. the one that was installed with this package: library_folder.txt has its folder, relative to the package
   4. the system's, by its name alone, as the dynamic loader finds it
 The others are looked for beside libroughcontact, then by their name, when a function of them is first called: programs that
 only solve contacts load neither the GNU Scientific Library nor what files are read with.
@@ -42,9 +42,11 @@ def _candidates() -> List[Tuple[str, str]]:
     named = os.environ.get(VARIABLE)
     if named:
         return [(os.path.abspath(named), f"the environment variable {VARIABLE}")]
-    here = pathlib.Path(__file__).resolve()
-    beside = (here.parents[3].parent / "bin" if os.name == "nt" else here.parents[3]) if len(here.parents) > 3 else here
-    places = ((here.parent / "lib" / SONAME, "this package"), (beside / SONAME, "the same prefix"))
+    package = pathlib.Path(__file__).resolve().parent
+    places = [(package / "lib" / SONAME, "this package")]
+    way = package / "library_folder.txt"
+    if way.exists():
+        places.append(((package / way.read_text(encoding="utf-8").strip() / SONAME).resolve(), "the same installation"))
     return [(str(file), origin) for file, origin in places if file.exists()] + [(SONAME, "the system")]
 
 

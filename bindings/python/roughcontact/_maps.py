@@ -4,7 +4,7 @@ from dataclasses import replace
 from typing import Any, Optional, Tuple, cast
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from ._arrays import Doubles, Mask, Pitch, as_doubles, as_mask, as_pitch, refuse_one_row, without_masked
 from ._data_arrays import Described, described
@@ -60,6 +60,13 @@ def _pitch_of_topography(thing: Any, shape: Tuple[int, ...]) -> Tuple[float, flo
     return sizes[1] / shape[1], sizes[0] / shape[0]
 
 
+def _first(where: NDArray[np.bool_]) -> str:
+    """Place of the first point that is true, as the library names it; of a stack of maps also which one."""
+    *before, ix = (int(i) for i in np.argwhere(where)[0])
+    iy = before.pop() if before else 0
+    return f"ix={ix}, iy={iy}" + (f" of map {before[0]}" if before else "")
+
+
 def _without_missing(values: Any, mask: Optional[ArrayLike], missing: str, leading: int = 0) -> Tuple[Doubles, Optional[Mask]]:
     """(heights, mask) where masked values and NaN are missing points."""
     if missing not in ("reject", "exclude"):
@@ -78,14 +85,12 @@ def _without_missing(values: Any, mask: Optional[ArrayLike], missing: str, leadi
     if absent is not None:
         infinite &= ~absent
     if infinite.any():
-        first = tuple(int(i) for i in np.argwhere(infinite)[0])
         raise ArgumentError(
-            f"heights have {int(infinite.sum())} infinite values, the first at {list(first)}; mask them or make them NaN"
+            f"heights have {int(infinite.sum())} infinite values, the first at {_first(infinite)}; mask them or make them NaN"
         )
     if missing == "reject":
-        first = tuple(int(i) for i in np.argwhere(unknown)[0])
         raise ArgumentError(
-            f"heights have {int(unknown.sum())} missing points (masked or NaN), the first at {list(first)}; pass "
+            f"heights have {int(unknown.sum())} missing points (masked or NaN), the first at {_first(unknown)}; pass "
             "missing='fill' to interpolate them, or missing='exclude': they then carry no pressure"
         )
     present = ~unknown if given is None else ~unknown & (given != 0)

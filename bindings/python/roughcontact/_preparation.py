@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any, Dict, Optional, Tuple, Union
 
 import numpy as np
@@ -20,6 +20,11 @@ from ._units import KNOWN, AssumedUnit, metres_of, metres_per, warn
 _FORMS = "give sphere:R=1mm, cylinder:R=1mm,axis=x or wedge:angle=5deg,axis=x"
 _KEYS = {"sphere": ("R",), "cylinder": ("R", "axis"), "wedge": ("angle", "axis")}
 _ANGLES = {"deg": math.pi / 180, "rad": 1.0}
+
+
+def own_unit(heights: Any) -> Optional[str]:
+    """What heights in memory say, before they are converted to metres."""
+    return None if is_file(heights) else unit_of(heights)
 
 
 def prepared(
@@ -39,7 +44,7 @@ def prepared(
     against: heights of the other body, which are added; remove: a form that is then taken off; shape: one that is then put on
     """
     first = "exclude" if missing == "fill" else missing
-    own = None if is_file(heights) else unit_of(heights)
+    own = own_unit(heights)
     found = as_surface(heights, pitch, None, mask, first, unit, otherwise=otherwise)
     if against is not None:
         found = _together(found, against, first, "against", unit)
@@ -76,16 +81,50 @@ def _together(surface: Surface, thing: Any, missing: str, name: str, unit: Optio
     return surface + other
 
 
+@dataclass(frozen=True)
+class Body:
+    """A nominal shape: its name, radius [length] or slope of the flanks, and the axis of a cylinder or wedge."""
+
+    name: str
+    size: float
+    axis: str
+
+    def width(self, load: float, modulus: float, length: float) -> float:
+        """Of the contact of a smooth body with a half-space: Hertz, and for a wedge Johnson (1985), equation 5.5. length: along
+        the axis."""
+        if self.name == "sphere":
+            return 2 * (3 * load * self.size / (4 * modulus)) ** (1 / 3)
+        if self.name == "wedge":
+            return 2 * load / (length * modulus * self.size)
+        return 2 * math.sqrt(4 * load * self.size / (math.pi * length * modulus))
+
+    def too_wide(self, load: float, modulus: float, sides: Tuple[float, float]) -> str:
+        """That this contact does not fit on a map with these sides (x, y), which then presses as a punch; "" if it does."""
+        along, across = sides if self.axis == "x" else sides[::-1]
+        side = min(sides) if self.name == "sphere" else across
+        width = self.width(load, modulus, along)
+        if not width > side:
+            return ""
+        return f"Hertz' contact of this shape and load is {width:.2g} wide, the map {side:.2g}: press a larger map"
+
+
+def body_of(text: str, surface: Surface, unit: Optional[str], own: Optional[str]) -> Body:
+    """A shape as `prepared` takes it. unit, own: as `_length` has them"""
+    name, settings = _parsed(text)
+    size = math.tan(_angle(settings["angle"])) if name == "wedge" else _length(settings["R"], surface.unit, unit, own)
+    return Body(name, size, settings.get("axis", "y"))
+
+
 def _depth_of(text: str, surface: Surface, unit: Optional[str], own: Optional[str]) -> Doubles:
     """How far below its highest point, which is in the middle of the grid, a shape lies at every point."""
-    name, settings = _parsed(text)
+    body = body_of(text, surface, unit, own)
     y, x = ((np.arange(n) - (n - 1) / 2) * h for n, h in zip((1, *surface.shape)[-2:], surface.pitch[::-1]))  # of one axis: x
-    across = y[:, None] + 0 * x if settings.get("axis", "y") == "x" else x + 0 * y[:, None]
-    if name == "wedge":
-        depth = np.abs(across) * math.tan(_angle(settings["angle"]))
+    across = y[:, None] + 0 * x if body.axis == "x" else x + 0 * y[:, None]
+    if body.name == "wedge":
+        depth = np.abs(across) * body.size
     else:
-        radius = _length(settings["R"], surface.unit, unit, own)
-        square = x**2 + y[:, None] ** 2 if name == "sphere" else across**2
+        radius = body.size
+        square = x**2 + y[:, None] ** 2 if body.name == "sphere" else across**2
         if square.max() > radius**2:
             raise ArgumentError(
                 f"shape {text!r}: the surface reaches {math.sqrt(square.max()):g} from its middle, beyond R = {radius:g}"

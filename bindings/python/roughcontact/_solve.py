@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any, Callable, Optional, Tuple, Union
 
 from numpy.typing import ArrayLike
@@ -16,7 +17,7 @@ from ._height_map import Surface
 from ._history import history_on
 from ._keywords import in_metres, options_of, prescribed, refuse_two_sources
 from ._maps import as_surface, gap_and_pitch
-from ._preparation import prepared
+from ._preparation import Body, body_of, own_unit, prepared
 from .contact import Contact, gap_and_mask
 from .context import Context, Options
 from ._history_result import HistoryResult
@@ -39,8 +40,10 @@ def system_for(
     shape: Union[None, str, Surface],
     remove: Optional[str],
     devices: bool = False,
-) -> Tuple[System, Any, Optional[Mask]]:
-    """(system, undeformed_gap, mask) from what one-shot functions are given. devices: a gap on a device stays there."""
+) -> Tuple[System, Any, Optional[Mask], Optional[Body]]:
+    """(system, undeformed_gap, mask, nominal shape) from what one-shot functions are given. devices: a gap on a device stays
+    there."""
+    body = None
     given: Any = {"pitch": pitch, "modulus": modulus, "boundary": boundary, "unit": unit, "hardness": hardness}
     refuse_two_sources(heights, undeformed_gap, system, **given)
     if against is not None or shape is not None or remove is not None:
@@ -48,24 +51,36 @@ def system_for(
             raise ArgumentError("against, shape and remove change heights, but undeformed_gap is given")
         otherwise = None if system is None else system.pitch
         changes: Any = {"against": against, "shape": shape, "remove": remove}
+        own = own_unit(heights)
         heights = prepared(heights, pitch=pitch, mask=mask, missing=missing, unit=unit, otherwise=otherwise, **changes)
+        body = body_of(shape, heights, unit, own) if isinstance(shape, str) else None
         mask, missing, pitch, unit = None, "reject", None, None
     if system is not None:
         found, mask_array = gap_and_mask(system, heights, undeformed_gap, mask, missing, devices=devices)
         assert found is not None
-        return system, found, mask_array
+        return system, found, mask_array, body
     modulus = needed_modulus(modulus, None, None, ", or system=")
     if heights is not None:
         surface = as_surface(heights, pitch, mask=mask, missing=missing, unit=unit)
         boundary = boundary_of(boundary, surface.periodic)
         half_space = HalfSpace(surface.shape, pitch=surface.pitch, modulus=modulus, boundary=boundary, hardness=hardness)
-        return half_space, surface.undeformed_gap(), surface.mask
+        return half_space, surface.undeformed_gap(), surface.mask, body
     undeformed_gap, sides = gap_and_pitch(undeformed_gap, pitch, unit)
     there = device_array(undeformed_gap, "undeformed_gap") if devices else None
     array: Any = as_doubles(undeformed_gap, "undeformed_gap") if there is None else there
     refuse_one_row(array, "undeformed_gap", pitch)
     half_space = HalfSpace(array.shape, pitch=sides, modulus=modulus, boundary=boundary, hardness=hardness)
-    return half_space, array, as_mask(mask, "mask", array.shape)
+    return half_space, array, as_mask(mask, "mask", array.shape), None
+
+
+def _remarked(result: Result, body: Optional[Body]) -> Result:
+    """With the remark that a shape's contact does not fit on the map."""
+    grid = result.grid
+    if body is None or grid.modulus is None or result.contacts == 0:
+        return result
+    rows, columns = (1, *grid.shape)[-2:]
+    remark = body.too_wide(result.load, grid.modulus, (columns * grid.pitch[0], rows * grid.pitch[1]))
+    return replace(result, note="; ".join(filter(None, [result.note, remark])))
 
 
 @short_traceback
@@ -135,11 +150,11 @@ def solve(
     context: a registry of backends, solvers and kernels of its own; None: the default one
     """
     modulus, options = modulus_of(modulus, E, nu), options_of(solve, options, keywords, context)
-    system, undeformed_gap, mask = system_for(
+    system, undeformed_gap, mask, body = system_for(
         heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit, hardness, against, shape, remove, True
     )
     with Contact(system, options=options, progress=progress, every=every, context=context) as contact:
-        return contact.solve(
+        result = contact.solve(
             approach=in_metres(approach, unit),
             load=load,
             pressure=pressure,
@@ -151,6 +166,7 @@ def solve(
             want_gap=want_gap,
             check=check,
         )
+    return _remarked(result, body)
 
 
 @short_traceback
@@ -202,9 +218,10 @@ def history(
     the others: as in `solve`
     """
     modulus, options = modulus_of(modulus, E, nu), options_of(history, options, keywords, context)
-    system, found_gap, mask = system_for(
+    system, found_gap, mask, body = system_for(
         heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit, hardness, against, shape, remove
     )
     what = prescribed(system, approach=in_metres(approach, unit), load=load, pressure=pressure)
     with Contact(system, options=options, progress=progress, every=every, context=context) as contact:
-        return history_on(contact, what, found_gap, mask, warm_start, virgin, stiffness, keep_pressure, want_gap, each, check)
+        answer = history_on(contact, what, found_gap, mask, warm_start, virgin, stiffness, keep_pressure, want_gap, each, check)
+    return replace(answer, results=tuple(_remarked(result, body) for result in answer.results))

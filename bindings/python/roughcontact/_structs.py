@@ -40,7 +40,7 @@ class rc_result(Sized):
     double area_lower area_upper; int64_t proven_contacts proven_open undecided;
     double stiffness stiffness_lower stiffness_upper punch_stiffness; int64_t capped; double plastic_volume;
     int64_t proven_capped points candidates modelled iterations products levels; double seconds setup_seconds;
-    char*32 solver backend kernel; char*160 note"""
+    char*32 solver backend kernel; char*512 note"""
 
 
 @struct
@@ -110,7 +110,7 @@ class rc_tangent(Sized):
 @struct
 class rc_direct(Sized):
     members = """size_t struct_size; rc_status status=RC_ERR_ARGUMENT; int32_t reserved; int64_t iterations products contacts;
-    double load energy kkt duality_gap load_lower load_upper; char*160 note"""
+    double load energy kkt duality_gap load_lower load_upper; char*512 note"""
 
 
 @struct

@@ -140,7 +140,7 @@ class Contact(Handle):
         first = None if start is None else as_doubles(start, "start", self.system.shape)
         there = gap_array if isinstance(gap_array, DeviceArray) else None
         single = single if there is None else there.dtype == "float32"
-        step = given(rc_step(), control=what.control, target=float(what.targets))
+        step = given(rc_step(), control=what.control, target=what.target())
         given(step, warm_start=as_switch(warm_start), borrow=as_switch(borrow))
         sent: Tuple[Any, ...] = (gap_array, mask_array, first)
         if there is not None:
@@ -178,7 +178,7 @@ class Contact(Handle):
         what = prescribed(self.system, approach=approach, load=load)
         gap_array, mask_array = gap_and_mask(self.system, heights, undeformed_gap, mask, missing)
         judged = as_doubles(pressure, "pressure", self.system.shape).copy()
-        step = given(rc_step(), control=what.control, target=float(what.targets), undeformed_gap=gap_array, mask=mask_array)
+        step = given(rc_step(), control=what.control, target=what.target(), undeformed_gap=gap_array, mask=mask_array)
         deformed = np.zeros(self.system.shape) if want_gap else None
         with self._holding(), self._pressing(gap_array, mask_array):
             inputs = (gap_array, mask_array)

@@ -208,7 +208,7 @@ class Contact(OwnsHandle):
         self._keep = gap, chosen
         if gap is not None or chosen is not None:
             self._mask = chosen
-        return given(rc_step(), control=what.control, target=float(what.targets), undeformed_gap=gap, mask=chosen)
+        return given(rc_step(), control=what.control, target=what.target(), undeformed_gap=gap, mask=chosen)
 
     def _run(self, function: Any, prepared: Callable[[], Any], want_gap: bool, must_be_certified: bool) -> Result:
         step, pressure = _together(self._world, prepared)

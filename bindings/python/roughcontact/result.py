@@ -19,6 +19,7 @@ from ._errors import as_status
 from ._library import contact_library
 from ._measures import STEP_COLUMNS, UNKNOWN, Measures, measures_of
 from ._pictures import pressure_image
+from ._remarks import elastic_limit
 from ._status import Status
 from ._structs import rc_accuracy, rc_array, rc_level, rc_result
 
@@ -163,6 +164,14 @@ class Result(Answer):
         return max(self.kkt_primal, self.kkt_dual, self.kkt_complementarity, self.kkt_control)
 
     @property
+    def remarks(self) -> str:
+        """The note; and where the largest pressure is beyond every body's hardness or linear elasticity, with pressures in Pa,
+        as the command says it."""
+        modulus, known = self.grid.modulus, [self.note] if self.note else []
+        doubt = elastic_limit(self.max_pressure, modulus, "hardness=") if modulus and not self.capped else ""
+        return "; ".join(known + ([f"largest pressure {self.max_pressure:.3g}: {doubt}"] if doubt else []))
+
+    @property
     def corrected_area(self) -> float:
         """Contact area, corrected for partly covered cells [length^2]."""
         return self._measured.corrected_area
@@ -232,10 +241,10 @@ class Result(Answer):
             "load": f"{self.load:.6g} ({self.load_lower:.6g} to {self.load_upper:.6g})",
             "approach": f"{self.approach:.6g}",
             "contact": f"{self.contacts} of {self.points} points, {self.contacts / self.points:.2%}",
-            "largest pressure": f"{self.max_pressure:.6g}",
+            "largest pressure": f"{self.max_pressure:.6g}" + (f" at {self.capped} points" if self.capped > 1 else ""),
             "mean pressure": f"{self.mean_pressure:.6g}",
             "by": f"{self.solver} on {self.backend}, residual {self.residual:.1e}",
-            **({"note": self.note} if self.note else {}),
+            **({"note": self.remarks} if self.remarks else {}),
         }
 
     def _picture(self) -> Optional[str]:
@@ -244,7 +253,8 @@ class Result(Answer):
     def __repr__(self) -> str:
         return (
             f"Result({self.status.name}, load={self.load:.6g}, approach={self.approach:.6g}, "
-            f"contacts={self.contacts} of {self.points}, residual={self.residual:.1e}, {self.solver} on {self.backend})"
+            f"contacts={self.contacts} of {self.points}, residual={self.residual:.1e}, {self.solver} on {self.backend}"
+            + (f"; note: {self.remarks})" if self.remarks else ")")
         )
 
 

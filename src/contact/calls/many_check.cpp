@@ -10,6 +10,7 @@
 
 #include "core/certificate_terms.h"
 #include "core/error.h"
+#include "core/grid.h"
 
 namespace rc {
 
@@ -80,7 +81,7 @@ class Check {
     double lowest = std::numeric_limits<double>::infinity();
     for (std::int64_t m = 0; m < system_.points(); ++m) {
       if (mask(i) && mask(i)[m] == 0) continue;
-      if (!std::isfinite(gap(i)[m])) refuse(i, 0, "the gap at point ", m, " is not finite");
+      if (!std::isfinite(gap(i)[m])) refuse(i, 0, "the gap at ", place(m, system_.given.nx), " is not finite");
       lowest = std::min(lowest, gap(i)[m]);
     }
     return lowest;

@@ -9,6 +9,7 @@
 #include "contact/choice.h"
 #include "contact/operators.h"
 #include "core/error.h"
+#include "core/grid.h"
 #include "core/large_memory.h"
 
 namespace rc {
@@ -60,7 +61,7 @@ void Product::apply(const GridField<const double>& p, const GridField<double>& u
   for (std::int64_t iy = 0; iy < ny; ++iy)
     for (std::int64_t ix = 0; ix < nx; ++ix) {
       const double value = p.at(ix, iy);
-      if (!std::isfinite(value)) fail(RC_ERR_ARGUMENT, "p at point (", ix, ", ", iy, ") = ", value, " is not finite");
+      if (!std::isfinite(value)) fail(RC_ERR_ARGUMENT, "p = ", value, " at ", place(iy * nx + ix, nx), " is not finite");
       p_[k++] = value;
     }
   raise_if_failed(operator_.apply(p_.data(), u_.data()), "the product");

@@ -10,6 +10,7 @@
 #include "contact/operators.h"
 #include "contact/step/solve.h"
 #include "core/error.h"
+#include "core/grid.h"
 
 namespace rc {
 
@@ -59,9 +60,10 @@ void check_pressures(const rc_step& step, const Outputs& outputs, const GridProb
     for (std::int64_t k = 0; k < problem.own_points(); ++k) {
       const auto i = static_cast<std::size_t>(k);
       const double p = outputs.p.at(i);
-      if (!std::isfinite(p)) fail(RC_ERR_ARGUMENT, "rc_result.p[", i, "] = ", p, " is not finite");
+      const auto at = [&] { return place(problem.company().first_row() * problem.system.given.nx + k, problem.system.given.nx); };
+      if (!std::isfinite(p)) fail(RC_ERR_ARGUMENT, "rc_result.p[", i, "] = ", p, " is not finite (", at(), ")");
       if (p != 0 && (step.mask.data ? mask_of(step)[i] == 0 : !step.undeformed_gap.data && !last.empty() && !last.included(i)))
-        fail(RC_ERR_ARGUMENT, "rc_result.p[", i, "] = ", p, " but this point is excluded by the mask");
+        fail(RC_ERR_ARGUMENT, "rc_result.p[", i, "] = ", p, " but this point is excluded by the mask (", at(), ")");
     }
   });
 }

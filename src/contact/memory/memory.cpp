@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/grid.h"
 #include "core/large_memory.h"
 
 namespace rc {
@@ -18,12 +19,15 @@ CertifiedStep certified_step(const double* p, double approach, double load, cons
   CertifiedStep step{{}, approach, load, true};
   for (const auto& [value, name] : {std::pair{approach, "approach"}, {load, "load"}})
     if (!std::isfinite(value)) fail(RC_ERR_ARGUMENT, "rc_state.", name, suffix, " = ", value, " is not finite");
+  const std::int64_t nx = surface.points().nx();
   Pressures& pressures = step.pressures;
   for (std::int64_t i = 0; i < points; ++i) {
-    if (!std::isfinite(p[i])) fail(RC_ERR_ARGUMENT, "rc_state.p", suffix, "[", i, "] = ", p[i], " is not finite");
+    if (!std::isfinite(p[i]))
+      fail(RC_ERR_ARGUMENT, "rc_state.p", suffix, "[", i, "] = ", p[i], " is not finite (", place(i, nx), ")");
     if (p[i] == 0) continue;
     if (!surface.included(static_cast<std::size_t>(i)))
-      fail(RC_ERR_ARGUMENT, "rc_state.p", suffix, "[", i, "] = ", p[i], " but this point is excluded by the mask");
+      fail(RC_ERR_ARGUMENT, "rc_state.p", suffix, "[", i, "] = ", p[i], " but this point is excluded by the mask (", place(i, nx),
+           ")");
     pressures.on.index.push_back(i);
     pressures.p.push_back(p[i]);
   }

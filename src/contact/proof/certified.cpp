@@ -28,8 +28,7 @@ std::string explain(const Numbers& numbers, const Remarks& remarks) {
               numbers.work.iterations, " iterations", whole);
 }
 
-// Whole remarks only, the gravest first.
-std::string note_of(const GridProblem& problem, const Numbers& numbers, double compression, const Rim& rim,
+std::string note_of(const GridProblem& problem, const Numbers& numbers, double compression, bool isolated, const Rim& rim,
                     const Remarks& remarks) {
   const System& system = problem.system;
   std::vector<std::string> all;
@@ -43,16 +42,9 @@ std::string note_of(const GridProblem& problem, const Numbers& numbers, double c
   }
   if (std::isinf(numbers.bounds.load_upper)) all.emplace_back("no upper bound of the load is proven");
   all.insert(all.end(), remarks.all().begin(), remarks.all().end());
+  if (isolated) all.emplace_back("a point without neighbours in contact has the largest pressure: check the map for a spike");
   if (!edges.empty()) all.push_back(edges);
-  std::string note;
-  for (const std::string& remark : all) {
-    if (note.size() + remark.size() + 6 > sizeof rc_result::note) {
-      note += note.empty() ? remark : "; ...";
-      break;
-    }
-    note += (note.empty() ? "" : "; ") + remark;
-  }
-  return note;
+  return note_from(all, sizeof rc_result::note - 1);
 }
 
 // What the solves for the stiffness ask before each product. A time limit does not end them.
@@ -215,7 +207,8 @@ Numbers certified_numbers(const GridProblem& problem, const Step& step, const An
   const bool by_load = step.target.by_load();
   const double limit = by_load ? surface.range().limit_of(compression) : step.target.value;
   result.candidates = system.positive ? extent_below(limit, surface).n : surface.range().included;
-  result.approach = !by_load ? step.target.value : surface.range().included > 0 ? surface.lowest() + compression : 0;
+  const double reached = !by_load ? step.target.value : surface.range().included > 0 ? surface.lowest() + compression : 0;
+  result.approach = reached + 0.0;  // never -0
   if (static_cast<std::int64_t>(answer.size()) == problem.own_points())
     result.mean_gap = mean_gap(problem, found, totals.overlap);
   result.tolerance = problem.options.real(RC_OPT_TOL);
@@ -228,7 +221,9 @@ Numbers certified_numbers(const GridProblem& problem, const Step& step, const An
   }
   const bool largest_there = totals.largest_on_rim > 0 && totals.largest_on_rim == totals.largest_p;
   const Rim on_rim{rim.share(), totals.sum > 0 ? totals.on_rim / totals.sum : 0, largest_there};
-  copy_text(result.note, note_of(problem, result, compression, on_rim, attempt.remarks).c_str());
+  const bool isolated =
+      system.halfspace() && totals.contacts > 1 && totals.capped <= 1 && isolated_peak(system, surface, answer, found.touching);
+  copy_text(result.note, note_of(problem, result, compression, isolated, on_rim, attempt.remarks).c_str());
   result.status = result.certificate.within(result.tolerance) ? RC_OK : RC_UNCERTIFIED;
   return result;
 }

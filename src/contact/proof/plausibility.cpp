@@ -114,6 +114,45 @@ std::string edge_effects(double of_punch, const Rim& rim, double tilt) {
   return seen.empty() ? "" : "free edges: " + seen + " (a sample is periodic)";
 }
 
+bool isolated_peak(const System& system, const StepSurface& surface, const Deflected& answer,
+                   std::span<const std::size_t> touching) {
+  struct Peak {
+    double p = 0;
+    std::int64_t point = -1;
+    Peak operator+(const Peak& b) const { return b.p > p || (b.p == p && b.point < point) ? b : *this; }
+  };
+  struct Count {
+    std::int64_t n = 0;
+    Count operator+(const Count& b) const { return {n + b.n}; }
+  };
+  const rc_system& s = system.given;
+  const std::int64_t first = surface.points().company().first_row() * s.nx;
+  const auto place = [&](std::size_t k) { return first + static_cast<std::int64_t>(answer.point(k)); };
+  const Peak peak = surface.points().combined_over<Peak>(touching, [&](Peak& part, std::size_t k) {
+    part = part + Peak{answer.p()[k], place(k)};
+  });
+  if (peak.point < 0) return false;
+  const bool joins_x = system.periodic() || s.boundary == RC_BOUNDARY_PERIODIC_X,
+             joins_y = system.periodic() || s.boundary == RC_BOUNDARY_PERIODIC_Y;
+  std::vector<std::int64_t> around;
+  for (const std::int64_t dy : {-1, 0, 1})
+    for (const std::int64_t dx : {-1, 0, 1}) {
+      std::int64_t x = peak.point % s.nx + dx, y = peak.point / s.nx + dy;
+      if (joins_x) x = (x + s.nx) % s.nx;
+      if (joins_y) y = (y + s.ny) % s.ny;
+      const std::int64_t point = y * s.nx + x;
+      if (x >= 0 && x < s.nx && y >= 0 && y < s.ny && point != peak.point) around.push_back(point);
+    }
+  if (around.empty()) return true;
+  const auto [least, most] = std::ranges::minmax(around);
+  const Count loaded =
+      surface.points().combined_over<Count>(touching, [&, least = least, most = most](Count& part, std::size_t k) {
+        const std::int64_t point = place(k);
+        if (point >= least && point <= most && answer.p()[k] > 0 && std::ranges::count(around, point) > 0) ++part.n;
+      });
+  return loaded.n == 0;
+}
+
 std::vector<std::string> doubts(const System& system, double mean_pressure, std::int64_t contacts, double compression,
                                 double tilt) {
   const rc_system& s = system.given;

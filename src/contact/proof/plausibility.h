@@ -1,9 +1,11 @@
 // Remarks on correct results that hint at a blunder in the units or the heights. They refuse nothing.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
+#include "contact/surface/pressures.h"
 #include "contact/surface/step_surface.h"
 #include "contact/system.h"
 
@@ -39,6 +41,10 @@ struct Rim {
   double points = 0, load = 0;
   bool largest = false;
 };
+
+// Whether none of the eight points around the one with the largest pressure has a pressure. touching: the entries with one.
+bool isolated_peak(const System& system, const StepSurface& surface, const Deflected& answer,
+                   std::span<const std::size_t> touching);
 
 // Remarks on a half-space in contact, the gravest first. tilt: plane_share.
 std::vector<std::string> doubts(const System& system, double mean_pressure, std::int64_t contacts, double compression,

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/text.h"
+
 namespace rc {
 
 Totals Totals::operator+(const Totals& b) const {
@@ -15,6 +17,24 @@ Totals Totals::operator+(const Totals& b) const {
           std::max(largest_on_rim, b.largest_on_rim),
           contacts + b.contacts,
           capped + b.capped};
+}
+
+std::string note_from(const std::vector<std::string>& remarks, std::size_t room) {
+  constexpr std::size_t reserved = sizeof "; 999 more remarks" - 1;
+  std::size_t whole = 0;
+  for (const std::string& remark : remarks) whole += (whole > 0 ? 2 : 0) + remark.size();
+  const std::size_t most = whole <= room ? room : room - reserved;
+  std::string note;
+  std::size_t more = 0;
+  for (const std::string& remark : remarks) {
+    const std::string next = (note.empty() ? "" : "; ") + remark;
+    if (note.size() + next.size() <= most)
+      note += next;
+    else
+      ++more;
+  }
+  if (more > 0) note += join(note.empty() ? "" : "; ", more, more == 1 ? " more remark" : " more remarks");
+  return note;
 }
 
 void write(const Numbers& numbers, const System& system, rc_result& result) {

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdio>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "contact/answer.h"
 #include "contact/problem.h"
@@ -32,6 +34,9 @@ struct Work {
 
 // As much of the text as fits.
 template <std::size_t size> void copy_text(char (&to)[size], const char* text) { std::snprintf(to, size, "%s", text); }
+
+// As many remarks as fit into this many characters, each whole, and how many more there are.
+std::string note_from(const std::vector<std::string>& remarks, std::size_t room);
 
 // All that rc_result says.
 struct Numbers {

@@ -10,6 +10,7 @@
 #include "contact/operators.h"
 #include "contact/slopes/subset_solve.h"
 #include "core/error.h"
+#include "core/grid.h"
 #include "core/sums.h"
 
 namespace rc {
@@ -117,7 +118,9 @@ class Linearised {
   // Values given for all points: NaN counts where no mask excludes the point.
   void check(const double* values, const char* name) const {
     for (std::size_t i = 0; values && i < static_cast<std::size_t>(system().points()); ++i)
-      if (included(i) && !std::isfinite(values[i])) fail(RC_ERR_ARGUMENT, name, "[", i, "] = ", values[i], " is not finite");
+      if (included(i) && !std::isfinite(values[i]))
+        fail(RC_ERR_ARGUMENT, name, "[", i, "] = ", values[i], " is not finite (",
+             place(static_cast<std::int64_t>(i), system().given.nx), ")");
   }
 
   // H x / unit() at the loaded points, for x on all points, 0 at excluded ones.

@@ -5,6 +5,7 @@
 #include <roughcontact/plugin.hpp>
 
 #include "core/error.h"
+#include "core/grid.h"
 #include "core/large_memory.h"
 #include "core/limits.h"
 
@@ -99,7 +100,7 @@ StepSurface::StepSurface(const GivenSurface& given, const rc_team& team, const C
   if (whole.bad > 0) whole.first_bad += company.first_row() * nx;
   whole = company.united(whole);
   if (whole.bad > 0)
-    fail(RC_ERR_ARGUMENT, "gap has ", whole.bad, " value(s) that are not finite, first at index ", whole.first_bad, " (",
+    fail(RC_ERR_ARGUMENT, "gap has ", whole.bad, " value(s) that are not finite, first at ", place(whole.first_bad, nx), " (",
          whole.bad_value, "); exclude them with rc_step.mask");
   range_ = {whole.included, whole.included == nx * company.all_rows(given.ny), whole.lowest, whole.highest};
   if (given.side > 0 && company.keeps_all_points()) company.on_all([&] { fill_masked(given.side); });

@@ -176,7 +176,7 @@ void prepares_heights(void**) {
   std::vector<double> none(9, missing);
   require_error(rc_surface_fill(3, 3, 1, 1, none.data()), RC_ERR_ARGUMENT, "all 9 points are missing");
   none[2] = INFINITY;
-  require_error(rc_surface_remove_form(3, 3, 1, none.data()), RC_ERR_ARGUMENT, "infinite value at index 2");
+  require_error(rc_surface_remove_form(3, 3, 1, none.data()), RC_ERR_ARGUMENT, "infinite value at ix=2, iy=0");
 }
 
 // A pipe hands over what was written so far: reads are short.

@@ -13,11 +13,12 @@ constexpr const char* pressure = "mean pressure ";
 constexpr const char* soft = "hardness ";
 constexpr const char* approach = "approach above the grid's side";
 constexpr const char* single = "one point in contact";
+constexpr const char* spike = "a point without neighbours in contact has the largest pressure";
 constexpr const char* tilted = "of the heights' variance";
 
 void check_note(const Answer& answer, std::initializer_list<const char*> expected) {
   const std::string note = answer.result.note;
-  for (const char* words : {pressure, soft, approach, single, tilted}) {
+  for (const char* words : {pressure, soft, approach, single, spike, tilted}) {
     bool wanted = false;
     for (const char* each : expected) wanted = wanted || each == words;
     check((note.find(words) != std::string::npos) == wanted,
@@ -148,6 +149,23 @@ void a_tilt_is_told_with_periodic_edges() {
   check_note(solved(tilted_map(level, 0.03), automatic, {{RC_OPT_TOL, "1e-6"}}), {tilted});
 }
 
+// A spike of any contact, inside, at an edge that repeats and at one that does not; not on the map without it.
+void a_spike_is_told() {
+  for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC, RC_BOUNDARY_PERIODIC_X})
+    for (const std::size_t place : {std::size_t{0}, std::size_t{63}, std::size_t{20 * 64 + 30}})
+      for (const double load : {0.5, 3.0}) {
+        Problem problem = at_load(measured(), load);
+        problem.system.boundary = boundary;
+        problem.gap = paraboloid(64, 64, 1e-6, 40.5, 40.5, 1e-4);
+        const Answer clean = solved(problem, automatic, {{RC_OPT_TOL, "1e-6"}});
+        check(std::string(clean.result.note).find(spike) == std::string::npos, clean.result.note);
+        problem.gap[place] = -2e-6;
+        const Answer spiked = solved(problem, automatic, {{RC_OPT_TOL, "1e-6"}});
+        check(spiked.result.contacts > 1, "more than the spike touches");
+        check(std::string(spiked.result.note).find(spike) != std::string::npos, std::string("not told: ") + spiked.result.note);
+      }
+}
+
 // A flat punch is as stiff as itself and presses at its rim; a ball in the middle, and the same punch as a sample, have no rim.
 void free_edges_are_told() {
   const Settings settings = {{RC_OPT_TOL, "1e-8"}, {RC_OPT_STIFFNESS, "1"}};
@@ -174,6 +192,7 @@ std::vector<Test> remarks() {
           {"a_pitch_in_metres", a_pitch_in_metres},
           {"an_approach_beyond_the_side", an_approach_beyond_the_side},
           {"a_tilt_is_told_with_periodic_edges", a_tilt_is_told_with_periodic_edges},
+          {"a_spike_is_told", a_spike_is_told},
           {"free_edges_are_told", free_edges_are_told},
           {"a_tilted_map_is_told", a_tilted_map_is_told},
           {"masked_heights_do_not_count", masked_heights_do_not_count},

@@ -151,7 +151,7 @@ void refusals() {
   check_equal(rc_product_apply(product.get(), Field(p.size(), 1e308).data(), 1, nx, u.data(), 1, nx), RC_ERR_NUMERIC, "overflow");
   check_same(u, Field(u.size(), 5), "u after an overflow");
   p[nx + 2] = NAN;
-  refused(product.get(), p.data(), u.data(), "p at point (2, 1) = nan is not finite");
+  refused(product.get(), p.data(), u.data(), "p = nan at ix=2, iy=1 is not finite");
   check_same(u, Field(u.size(), 5), "u after a refusal");
   rc_product_destroy(nullptr);
 }

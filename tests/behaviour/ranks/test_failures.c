@@ -118,8 +118,7 @@ static void disagreements(const scene* s) {
   j.step.mask.data = NULL;
   const double good = j.gap[3];
   if (rank == last) j.gap[3] = NAN;
-  check_failed(rc_mpi_contact_solve(contact, &j.step, &j.result), RC_ERR_ARGUMENT, "not finite, first at index ",
-               "NaN on one rank");
+  check_failed(rc_mpi_contact_solve(contact, &j.step, &j.result), RC_ERR_ARGUMENT, "not finite, first at ix=", "NaN on one rank");
   j.gap[3] = good;
   j.step.p0.data = j.p;
   for (int64_t i = 0; i < s->nx * j.count; ++i) j.p[i] = 0;

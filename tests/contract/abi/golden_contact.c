@@ -98,7 +98,7 @@ AT(rc_step, p0, 72);
 AT(rc_step, borrow, 96);
 AT(rc_step, reserved, 100);
 
-SIZE(rc_result, 616);
+SIZE(rc_result, 968);
 AT(rc_result, struct_size, 0);
 AT(rc_result, p, 8);
 AT(rc_result, gap, 32);
@@ -273,7 +273,7 @@ AT(rc_tangent, error, 64);
 AT(rc_tangent, undecided, 72);
 AT(rc_tangent, products, 80);
 
-SIZE(rc_direct, 248);
+SIZE(rc_direct, 600);
 AT(rc_direct, struct_size, 0);
 AT(rc_direct, status, 8);
 AT(rc_direct, reserved, 12);

@@ -133,7 +133,7 @@ Section analyses() {
            refused,
            {"rc_histogram_fill: rc_system.op = 0 is none of RC_OPERATOR_HALFSPACE"},
            all_with([](Call& c) { c.system.op = 0; })},
-          {"analysis: p with NaN", refused, {"rc_histogram_fill: p[5] = nan is not finite"}, all_with([](Call& c) {
+          {"analysis: p with NaN", refused, {"rc_histogram_fill: p[5] = nan is not finite (ix=1, iy=1)"}, all_with([](Call& c) {
              c.p[5] = nan;
            })},
           {"analysis: p with infinity", refused, {"rc_histogram_fill: p[15] = inf is not finite"}, all_with([](Call& c) {

@@ -122,9 +122,10 @@ Section direct_routines() {
           {"`rc_cmr`: heights is null", refused, {"rc_cmr: heights is null"}, cascade_with([](CascadeCall& c) {
              c.heights_given = nullptr;
            })},
-          {"`rc_cmr`: heights with NaN", refused, {"rc_cmr: heights[3] = nan is not finite"}, cascade_with([](CascadeCall& c) {
-             c.heights[3] = nan;
-           })},
+          {"`rc_cmr`: heights with NaN",
+           refused,
+           {"rc_cmr: heights[3] = nan is not finite (ix=3, iy=0)"},
+           cascade_with([](CascadeCall& c) { c.heights[3] = nan; })},
           {"`rc_cmr`: approach = NaN", refused, {"rc_cmr: approach = nan is not finite"}, cascade_with([](CascadeCall& c) {
              c.approach = nan;
            })},

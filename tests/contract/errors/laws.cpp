@@ -340,7 +340,7 @@ Section products() {
            }},
           {"`rc_product_apply`: p with NaN",
            refused,
-           {"rc_product_apply: p at point (1, 1) = nan is not finite"},
+           {"rc_product_apply: p = nan at ix=1, iy=1 is not finite"},
            product_with([](std::vector<double>& p) { p[5] = nan; })},
           {"`rc_product_apply`: deflections overflow",
            RC_ERR_NUMERIC,

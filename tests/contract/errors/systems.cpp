@@ -64,63 +64,80 @@ auto system_value(double rc_system::*member, double value) {
 
 Section shapes() {
   const rc_status refused = RC_ERR_SHAPE;
-  return {"Shape of the grid",
-          {
-              {"system and step as the macros begin them",
-               refused,
-               {"rc_solve: nx = 0, ny = 0 must both be >= 1; set the points along x and y"},
-               [] {
-                 const rc_system system = RC_SYSTEM_INIT;
-                 const rc_step step = RC_STEP_INIT;
-                 return rc_solve(&system, &step, nullptr, answer().result());
-               }},
-              {"nx = 0", refused, {"rc_contact_create: nx = 0, ny = 4 must both be >= 1"}, grid(0, side)},
-              {"ny = -1", refused, {"nx = 4, ny = -1 must both be >= 1"}, grid(side, -1)},
-              {"nx = INT64_MIN", refused, {"nx = -9223372036854775808"}, grid(INT64_MIN, side)},
-              {"nx = ny = INT64_MAX",
-               refused,
-               {"nx*ny = 9223372036854775807 * 9223372036854775807 is more than", "points"},
-               grid(INT64_MAX, INT64_MAX)},
-              {"nx = PTRDIFF_MAX, ny = 1", refused, {"nx*ny =", "* 1 is more than"}, grid(PTRDIFF_MAX, 1)},
-              {"nx = ny = 2^32, whose product wraps to 0",
-               refused,
-               {"nx*ny = 4294967296 * 4294967296 is more than"},
-               grid(INT64_C(1) << 32, INT64_C(1) << 32)},
-              {"1e9 by 1e6 points: the gap cannot be stored",
-               countable ? RC_ERR_MEMORY : RC_ERR_SHAPE,
-               {countable ? "rc_solve: out of memory" : "is more than"},
-               [] {
-                 Scene scene;
-                 scene.system.nx = 1000000000;
-                 scene.system.ny = 1000000;
-                 return solve(scene);
-               }},
-              {"callback for 1e9 by 1e6 points",
-               countable ? RC_ERR_MEMORY : RC_ERR_SHAPE,
-               {countable ? "rc_contact_create: out of memory" : "is more than"},
-               [] {
-                 Scene scene = callback_scene([](const double*, double*, std::int64_t, void*) { return std::int32_t{0}; });
-                 scene.system.nx = 1000000000;
-                 scene.system.ny = 1000000;
-                 return create(scene);
-               }},
-              {"ranks: nx = ny = 2^52",
-               refused,
-               {"rc_ranks_contact_create: rank 0: nx*ny = 4503599627370496 * 4503599627370496 is more than"},
-               shared_grid(INT64_C(1) << 52, INT64_C(1) << 52)},
-              {"ranks: 4 by 2^45 points, no memory for each row",
-               countable ? RC_OK : RC_ERR_SHAPE,
-               {},
-               shared_grid(4, INT64_C(1) << 45)},
-              {"kernel coefficients: nx = 0",
-               refused,
-               {"rc_kernel_coefficients: nx = 0, ny = 2 must both be >= 1"},
-               coefficients("love", 1, 1, 0, 2)},
-              {"kernel coefficients: nx*ny overflows",
-               refused,
-               {"rc_kernel_coefficients: nx*ny = "},
-               coefficients("love", 1, 1, INT64_C(1) << 62, 4)},
-          }};
+  return {
+      "Shape of the grid",
+      {
+          {"system and step as the macros begin them",
+           refused,
+           {"rc_solve: nx = 0, ny = 0 must both be >= 1; set the points along x and y"},
+           [] {
+             const rc_system system = RC_SYSTEM_INIT;
+             const rc_step step = RC_STEP_INIT;
+             return rc_solve(&system, &step, nullptr, answer().result());
+           }},
+          {"nx = 0", refused, {"rc_contact_create: nx = 0, ny = 4 must both be >= 1"}, grid(0, side)},
+          {"ny = -1", refused, {"nx = 4, ny = -1 must both be >= 1"}, grid(side, -1)},
+          {"nx = INT64_MIN", refused, {"nx = -9223372036854775808"}, grid(INT64_MIN, side)},
+          {"nx = ny = INT64_MAX",
+           refused,
+           {"nx*ny = 9223372036854775807 * 9223372036854775807 is more than", "points"},
+           grid(INT64_MAX, INT64_MAX)},
+          {"nx = PTRDIFF_MAX, ny = 1", refused, {"nx*ny =", "* 1 is more than"}, grid(PTRDIFF_MAX, 1)},
+          {"nx = ny = 2^32, whose product wraps to 0",
+           refused,
+           {"nx*ny = 4294967296 * 4294967296 is more than"},
+           grid(INT64_C(1) << 32, INT64_C(1) << 32)},
+          {"1e9 by 1e6 points: the gap cannot be stored",
+           countable ? RC_ERR_MEMORY : RC_ERR_SHAPE,
+           {countable ? "rc_solve: nx*ny = 1000000000 * 1000000 points need at least 8000000000000000 bytes, this machine has"
+                      : "is more than"},
+           [] {
+             Scene scene;
+             scene.system.nx = 1000000000;
+             scene.system.ny = 1000000;
+             return solve(scene);
+           }},
+          {"half-space of 1e6 by 1e6 points",
+           countable ? RC_ERR_MEMORY : RC_ERR_SHAPE,
+           {countable ? "rc_contact_create: nx*ny = 1000000 * 1000000 points need at least 8000000000000 bytes" : "is more than"},
+           grid(1000000, 1000000)},
+          {"product of 1e6 by 1e6 points",
+           countable ? RC_ERR_MEMORY : RC_ERR_SHAPE,
+           {countable ? "rc_product_create: nx*ny = 1000000 * 1000000 points need at least 8000000000000 bytes" : "is more than"},
+           [] {
+             Scene scene;
+             scene.system.nx = scene.system.ny = 1000000;
+             rc_product* product = nullptr;
+             return rc_product_create(&scene.system, nullptr, &product);
+           }},
+          {"callback for 1e9 by 1e6 points",
+           countable ? RC_ERR_MEMORY : RC_ERR_SHAPE,
+           {countable
+                ? "rc_contact_create: nx*ny = 1000000000 * 1000000 points need at least 8000000000000000 bytes, this machine has"
+                : "is more than"},
+           [] {
+             Scene scene = callback_scene([](const double*, double*, std::int64_t, void*) { return std::int32_t{0}; });
+             scene.system.nx = 1000000000;
+             scene.system.ny = 1000000;
+             return create(scene);
+           }},
+          {"ranks: nx = ny = 2^52",
+           refused,
+           {"rc_ranks_contact_create: rank 0: nx*ny = 4503599627370496 * 4503599627370496 is more than"},
+           shared_grid(INT64_C(1) << 52, INT64_C(1) << 52)},
+          {"ranks: 4 by 2^45 points on one rank",
+           countable ? RC_ERR_MEMORY : RC_ERR_SHAPE,
+           {countable ? "rc_ranks_contact_create: rank 0: nx*ny = 4 * 35184372088832 points need at least" : "is more than"},
+           shared_grid(4, INT64_C(1) << 45)},
+          {"kernel coefficients: nx = 0",
+           refused,
+           {"rc_kernel_coefficients: nx = 0, ny = 2 must both be >= 1"},
+           coefficients("love", 1, 1, 0, 2)},
+          {"kernel coefficients: nx*ny overflows",
+           refused,
+           {"rc_kernel_coefficients: nx*ny = "},
+           coefficients("love", 1, 1, INT64_C(1) << 62, 4)},
+      }};
 }
 
 Section values() {
@@ -351,7 +368,7 @@ Section callbacks() {
               {"works again after a failure", RC_OK, {}, recovers_after_failure},
               {"returns NaN at once",
                RC_ERR_NUMERIC,
-               {"the caller's apply function returned nan at point 8"},
+               {"the caller's apply function returned nan at ix=0, iy=2"},
                faulty(Fault::returns_nan, 1)},
               {"returns NaN at the second product",
                RC_ERR_NUMERIC,

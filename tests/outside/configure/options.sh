@@ -24,7 +24,7 @@ refused 'RC_MODULE_BACKENDS=fft,split' 'RC_MODULE_BACKENDS: there is no backend 
 refused RC_SANITIZE=adress 'RC_SANITIZE: there is no sanitizer "adress"; there are address, leak'
 refused RC_SANITIZE=address,thread 'thread goes with undefined alone'
 refused RC_TEST_FAMILIES=no-such 'RC_TEST_FAMILIES: there is no family "no-such"'
-for option in RC_BUILD_SURFACE RC_BUILD_FORMATS RC_BUILD_TOOLS RC_BUILD_TESTS RC_BUILD_EXAMPLES RC_BUILD_BENCH RC_BUILD_FUZZERS RC_STATIC_COMMAND RC_WERROR; do
+for option in RC_BUILD_SURFACE RC_BUILD_FORMATS RC_BUILD_TOOLS RC_BUILD_TESTS RC_BUILD_EXAMPLES RC_BUILD_BENCH RC_BUILD_FUZZERS RC_STATIC_COMMAND RC_INSTALL RC_WERROR; do
   refused $option=perhaps "$option = \"perhaps\" is neither ON nor OFF"
   accepted $option=OFF
 done

@@ -26,6 +26,6 @@ int main(int, char** argv) {
     std::printf("overclosure %.3g: %.6g, derivative %.6g, by differences %.6g%s\n", x, p, slope, change, good ? "" : ": wrong");
     failed += !good;
   }
-  if (number("evaluate", 1, 0) != 0) ++failed;  // not in contact
+  if (const double open = number("evaluate", 1, 0); open != 0 || std::signbit(open)) ++failed;  // not in contact
   return failed;
 }

@@ -17,6 +17,19 @@ ENDINGS = {'c': 'c', 'fortran': 'f90'}
 COMMANDS = {'cc': True, 'gfortran': None, 'mkoctfile': None, 'src=$(pkg-config': True}
 
 
+def check_as_written(source):
+    """Every line that links a shared library says where the loader finds it, and module files of Fortran have a folder of their own."""
+    for document in sorted(source.glob('**/*.md')):
+        if any(part.startswith('build') for part in document.relative_to(source).parts):
+            continue
+        for block in re.findall(r'^```sh\n(.*?)^```$', document.read_text(), re.M | re.S):
+            for line in lines_of(block):
+                if re.match(r'(cc|gfortran|mkoctfile) ', line) and re.search(r'pkg-config .*--libs', line) and '-Wl,-rpath,' not in line:
+                    sys.exit(f'FAILED: {document}: no -Wl,-rpath in: {line}')
+                if line.startswith('gfortran ') and '_source' in line and ' -J ' not in line:
+                    sys.exit(f'FAILED: {document}: no -J in: {line}')
+
+
 def lines_of(block):
     return block.replace('\\\n', ' ').splitlines()
 
@@ -32,6 +45,7 @@ def program_for(name, latest, source):
 def main():
     source, build = map(pathlib.Path, sys.argv[1:3])
     COMMANDS['gfortran'], COMMANDS['mkoctfile'] = sys.argv[3:5]
+    check_as_written(source)
     ran = 0
     with tempfile.TemporaryDirectory() as scratch:
         prefix = pathlib.Path(scratch) / 'prefix'

@@ -127,7 +127,7 @@ def test_missing_points(rough, absent):
     holes[np.unravel_index(rough.heights.argmax(), rough.shape)] = True  # the highest point must not count
     heights = np.ma.array(rough.heights, mask=holes) if absent == "masked" else np.where(holes, np.nan, rough.heights)
     how = {"pitch": 1e-6, "modulus": 1e9, "approach": 1e-7}
-    refused(rc.ArgumentError, f"{holes.sum()} missing points.*first at \\[0, 0\\].*missing='exclude'", rc.solve, heights, **how)
+    refused(rc.ArgumentError, f"{holes.sum()} missing points.*first at ix=0, iy=0;.*missing='exclude'", rc.solve, heights, **how)
     result = rc.solve(heights, **how, missing="exclude")
     present = rough.heights[~holes].max()
     by_hand = rc.solve(undeformed_gap=present - rough.heights, mask=~holes, **how)

@@ -95,3 +95,26 @@ def test_the_command_does_not_wait_for_numpy():
 def test_a_missing_command_is_said(monkeypatch, capsys):
     monkeypatch.setattr(_command, "program", lambda: None)
     assert _command.main(["solve"]) == 1 and "not installed beside this Python package" in capsys.readouterr().err
+
+
+def test_command_report_and_package_make_the_same_remark(tmp_path):
+    """On the largest pressure, without a hardness: from one table."""
+    from roughcontact.report import wording
+    from roughcontact.report.content import collect
+    from roughcontact.report.request import read_request
+
+    surface = rc.surface.spectral((48, 48), pitch=1e-6, rms_height=3e-6, hurst=0.8, seed=3)
+    np.save(tmp_path / "map.npy", surface.heights)
+    seen = set()
+    for modulus, pressure in ((210e9, 1e3), (230e9, 20e6), (5e12, 1e9), (210e9, 20e9), (2e9, 3e7)):
+        words = ["map.npy", "--pitch", "1um", "--boundary", "periodic", "--modulus", str(modulus), "--pressure", str(pressure)]
+        last = ran("-m", "roughcontact", "solve", *words, cwd=tmp_path).stdout.splitlines()[-1]
+        remark = last.partition("; warning: ")[2]
+        told = wording.conclusion(collect(read_request([str(tmp_path / "map.npy"), *words[1:]])))
+        assert told.rstrip(".").partition(" Warning: ")[2] == remark
+        result = rc.solve(tmp_path / "map.npy", pitch=1e-6, boundary="periodic", modulus=modulus, pressure=pressure)
+        assert remark.replace("--hardness", "hardness=") in result.remarks and ("largest pressure" in result.remarks) == bool(
+            remark
+        )
+        seen.add(" ".join(remark.split()[:6]))
+    assert len(seen) >= 3, seen

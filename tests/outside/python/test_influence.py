@@ -1,5 +1,7 @@
 """Products with the influence matrix."""
 
+import os
+
 import numpy as np
 import pytest
 from conftest import refused
@@ -51,3 +53,48 @@ def test_exceptions_of_a_product(small_matrix):
     assert np.allclose(H @ p, small_matrix @ p)
     with pytest.raises(LookupError):
         H.matvec(p - 1)
+
+
+def test_columns_and_the_transpose(system):
+    H, n = rc.Influence(system), 660
+    X = np.random.default_rng(2).normal(size=(n, 3))
+    U = np.stack([H @ x for x in X.T], 1)
+    assert np.array_equal(H @ X, U) and np.array_equal(H.matmat(np.asfortranarray(X)), U) and np.array_equal(H.T @ X, U)
+    assert np.array_equal(H @ X[:, :1], U[:, :1]) and np.array_equal(H.rmatvec(X[:, 0]), U[:, 0])
+    assert np.array_equal(H.H.rmatmat(X[::, ::-1]), U[:, ::-1]) and (H @ X[:, :0]).shape == (n, 0) and H.dtype == np.float64
+    refused(rc.ShapeError, "p has shape", H.matvec, np.zeros((3, n)))
+    row = rc.Influence(rc.HalfSpace((9,), pitch=(1.0, 2.0), modulus=1.0, boundary="periodic"))
+    assert np.array_equal(row @ np.eye(9)[:, :4], np.stack([row @ e for e in np.eye(9)[:4]], 1))
+
+
+@pytest.mark.parametrize("boundary", ["free", "periodic"])
+def test_scipy_solves_with_it(boundary):
+    sla = pytest.importorskip("scipy.sparse.linalg")
+    H = rc.Influence(rc.HalfSpace((12, 9), pitch=1.0, modulus=1.0, boundary=boundary))
+    A, n = sla.aslinearoperator(H), H.shape[0]
+    D, b = H @ np.eye(n), H @ np.random.default_rng(4).normal(size=n)
+    X, most = np.random.default_rng(5).normal(size=(n, 3)), np.linalg.eigvalsh(D)[-1]
+    assert np.allclose(A @ X, D @ X) and np.allclose(A.T @ b, D @ b) and np.allclose(A.H @ X, D @ X)
+    assert np.allclose(A.matvec(b[:, None]), (D @ b)[:, None])
+    for solver in (sla.cg, sla.minres, sla.gmres):
+        found, failed = solver(A, b, maxiter=3000)
+        assert failed == 0 and np.linalg.norm(D @ found - b) < 1e-3 * np.linalg.norm(b)
+    assert np.linalg.norm(D @ sla.lsqr(A, b, atol=1e-10, btol=1e-10, iter_lim=5000)[0] - b) < 1e-6 * np.linalg.norm(b)
+    for values in (sla.eigsh(A, 2, return_eigenvectors=False), sla.svds(A, 2, return_singular_vectors=False)):
+        assert np.isclose(values.max(), most)
+    assert np.isclose(sla.lobpcg(A, X, maxiter=400, tol=1e-9)[0].max(), most, rtol=1e-4)
+
+
+def _memory():
+    return os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
+
+
+@pytest.mark.parametrize("boundary", ["free", "periodic", "periodic-x"])
+def test_grids_that_cannot_fit_are_out_of_memory(boundary):
+    for side in (2**20, int((_memory() / 9) ** 0.5)):  # more than the machine has for pressures; for products
+        system = rc.HalfSpace((side, side), pitch=1.0, modulus=1.0, boundary=boundary)
+        error = refused(MemoryError, r"need.* \d+ bytes", rc.Influence, system)
+        assert isinstance(error, rc.OutOfMemoryError)
+    system = rc.HalfSpace((2**20, 2**20), pitch=1.0, modulus=1.0, boundary=boundary)
+    refused(rc.OutOfMemoryError, "need at least 8796093022208 bytes", rc.Contact, system)
+    refused(rc.OutOfMemoryError, "bytes", rc.Influence, rc.Product(lambda x: x, (2**20, 2**20), pitch=1.0))

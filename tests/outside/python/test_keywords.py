@@ -260,3 +260,13 @@ def test_histories_without_a_step_are_refused(rough, name):
         refused(rc.ArgumentError, f"{name} is empty: one value for each step", call, rough, modulus=1e9, **{name: []})
     with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9)) as contact:
         refused(rc.ArgumentError, f"{name} is empty", contact.history, rough, **{name: []})
+
+
+@pytest.mark.parametrize("several", [[1e-7, 2e-7], (1e-7, 2e-7), np.array([1e-7, 2e-7]), np.full((2, 2), 1e-7)])
+@pytest.mark.parametrize("name", ["approach", "load", "pressure"])
+def test_several_targets_of_one_step_name_the_history(name, several, sphere_gap, half_space):
+    for call in (
+        lambda: rc.solve(undeformed_gap=sphere_gap, system=half_space, **{name: several}),
+        lambda: rc.Contact(half_space).solve(undeformed_gap=sphere_gap, **{name: several}),
+    ):
+        refused(rc.ArgumentError, rf"{name} has \d values.*roughcontact\.history", call)

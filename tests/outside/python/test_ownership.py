@@ -52,8 +52,10 @@ def test_a_batch_of_none_that_is_refused_raises():
 def test_the_library_of_the_same_prefix_comes_before_the_systems(tmp_path, monkeypatch):
     package = tmp_path / "lib" / "python3" / "dist-packages" / "roughcontact"
     package.mkdir(parents=True)
-    library = tmp_path / "lib" / _library.SONAME
+    library = tmp_path / "lib64" / _library.SONAME
+    library.parent.mkdir()
     library.write_bytes(b"")
+    (package / "library_folder.txt").write_text("../../../../lib64\n")
     monkeypatch.delenv(_library.VARIABLE, raising=False)
     monkeypatch.setattr(_library, "__file__", str(package / "_library.py"))
     assert [file for file, _ in _library._candidates()] == [str(library), _library.SONAME]

@@ -129,3 +129,27 @@ def test_systems_press_what_is_prepared(two):
     system = rc.HalfSpace((SIDE, SIDE), pitch=1e-6, modulus=1e9, boundary="free")
     found = rc.solve(two[0].heights, system=system, load=1e-4, against=two[1].heights)
     assert found.approach == pressed(two[0], against=two[1]).approach
+
+
+@pytest.mark.parametrize("text", ["sphere:R=50um", "cylinder:R=50um,axis=x", "wedge:angle=1deg,axis=y"])
+def test_a_contact_wider_than_the_map_is_told(text):
+    flat = rc.Surface(np.zeros((SIDE, SIDE)), (1e-6, 1e-6), unit="m")
+    body = rc._preparation.body_of(text, "m")
+    side = SIDE * 1e-6
+    fits = next(load for load in np.geomspace(1e3, 1e-9, 200) if body.width(load, 1e9, side) < 0.5 * side)
+    too_much = next(load for load in np.geomspace(1e-9, 1e6, 200) if body.width(load, 1e9, side) > 2 * side)
+    how = {"shape": text, "modulus": 1e9, "tol": 1e-4}
+    assert "Hertz" not in rc.solve(flat, load=fits, **how).note
+    note = rc.solve(flat, load=too_much, **how).note
+    assert f"wide, the map {side:.2g}: press a larger map" in note
+    assert [("Hertz" in step.note) for step in rc.history(flat, load=[fits, too_much], **how)] == [False, True]
+
+
+def test_widths_are_those_of_hertz():
+    body = rc._preparation.Body
+    load, modulus, radius = 3.0, 2e9, 1e-2
+    a = (3 * load * radius / (4 * modulus)) ** (1 / 3)
+    assert np.isclose(body("sphere", radius, "y").width(load, modulus, 1.0), 2 * a)
+    assert np.isclose(
+        body("cylinder", radius, "y").width(load, modulus, 0.5), 2 * (4 * load / 0.5 * radius / (np.pi * modulus)) ** 0.5
+    )

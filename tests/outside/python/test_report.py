@@ -262,3 +262,16 @@ def test_blocks_are_true():
     assert means(values, 2)[0, 0] == 4 and means(values, 2)[2, 3] == 34
     values[0, 0] = np.nan
     assert means(values, 2)[0, 0] == np.mean([1, 7, 8]) and np.array_equal(means(values, 1), values, equal_nan=True)
+
+
+def test_numbers_have_sensible_digits():
+    assert with_prefix(1.7e-7, "N", 2) == "170 nN" and with_prefix(1.734e-7, "N", 2) == "170 nN"
+    assert with_prefix(-0.0, "m") == "0 m" and with_prefix(12.345e-9, "m", 2) == "12 nm"
+    assert wording._power(1e-8) == "1.0·10⁻⁸" and wording._power(0.0) == "0" and wording._power(1.26e-13) == "1.3·10⁻¹³"
+
+
+def test_no_number_of_a_report_is_in_programmers_form(file):
+    content = collected(file, "--pressure", "5MPa,20MPa", "--tol", "1e-6")
+    tables = (wording.step_rows(content), wording.proof_rows(content), wording.surface_rows(content))
+    cells = [cell for rows in tables for row in rows for cell in row]
+    assert not [cell for cell in cells if re.search(r"\de[-+]\d|(^|\s)-0(\s|$)", cell)]

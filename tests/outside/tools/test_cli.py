@@ -230,6 +230,22 @@ class Output(CommandTest):
         self.assertNotIn("level them", self.solve(self.npy(tilted), "--pitch", "1um", "--modulus", "1GPa", "--approach", "1e-7", "--remove", "plane").stderr)
 
 
+    def test_a_spike_is_told_at_any_number_of_contacts(self):
+        spiked = rough()
+        spiked[20, 30] += 5e-6
+        for pressure in ("30MPa", "100MPa"):
+            solve = ["--pitch", "1um", "--modulus", "1GPa", "--boundary", "periodic", "--pressure", pressure]
+            self.assertIn("largest pressure: check the map for a spike", self.solve(self.npy(spiked), *solve).stderr)
+            self.assertNotIn("spike", self.solve(self.npy(rough()), *solve).stderr)
+
+    def test_a_map_smaller_than_the_contact_of_its_shape_is_told(self):
+        flat = [self.npy(np.zeros((16, 16))), "--pitch", "1um", "--modulus", "100GPa", "--tol", "1e-4"]
+        for shape, load, width in (("sphere:R=1mm", "1N", 39), ("cylinder:R=1mm,axis=y", "0.5N", 40), ("wedge:angle=1deg,axis=x", "1N", 72)):
+            done = self.solve(*flat, "--shape", shape, "--load", load)
+            self.assertIn("Hertz' contact of this shape and load is %d \u00b5m wide, the map 16 \u00b5m: press a larger map" % width, done.stderr)
+            self.assertNotIn("Hertz", self.solve(*flat, "--shape", shape, "--load", "1e-4 N").stderr)
+
+
 class WrongInput(CommandTest):
     GOOD = {"--pitch": "1e-6", "--modulus": "1e9", "--approach": "1e-8"}
 

@@ -149,13 +149,22 @@ class Pictures(CommandTest):
             count = (np.abs(pixels(self.folder / "out/history.png") - blue).sum(axis=2) < 9).sum()
             self.assertEqual(count > 100, falls, count)
 
+    def test_the_ring_says_how_many_points_have_the_largest_pressure(self):
+        self.assertIn(" in the ring", self.script_of_history(rough(64, 64), "--boundary", "periodic"))
+        script = self.script_of_history(rough(64, 64), "--boundary", "periodic", "--hardness", "20MPa")
+        capped = (np.load(self.folder / "out/pressure-2.npy") == 20e6).sum()
+        self.assertGreater(capped, 1)
+        self.assertIn("largest 20 MPa at %d points, one in the ring" % capped, script)
+
     def script_of_history(self, z, *arguments):
-        """What gnuplot is told to draw."""
-        self.file("gnuplot", "#!/bin/sh\ncat >'%s/script'\necho picture\n" % self.folder)
+        """What gnuplot is told to draw, of the steps and of the history."""
+        shutil.rmtree(self.folder / "out", ignore_errors=True)
+        (self.folder / "script").unlink(missing_ok=True)
+        self.file("gnuplot", "#!/bin/sh\ncat >>'%s/script'\necho picture\n" % self.folder)
         (self.folder / "gnuplot").chmod(0o755)
         self.solve(self.npy(z), "--pitch", "1um", "--modulus", "1GPa", "--pressure", "1MPa,2MPa", "--out", "out", "--quiet", *arguments,
                    env=dict(os.environ, PATH="%s:/usr/bin:/bin" % self.folder))
-        return (self.folder / "script").read_text(encoding="utf-8")
+        return (self.folder / "script").read_bytes().decode("utf-8", "replace")
 
     def test_theory_is_drawn_only_where_it_holds(self):
         periodic = ["--boundary", "periodic"]

@@ -82,4 +82,7 @@ def with_prefix(value: float, unit: str, digits: int = 3) -> str:
     if not math.isfinite(value):
         return "unknown"
     factor, name = prefix_for(value)
-    return f"{value / factor:.{digits}g} {name}{unit}"
+    number = f"{value / factor + 0.0:.{digits}g}"  # never -0
+    if "e+" in number:  # more digits before the point than asked for
+        number = f"{float(number):.0f}"
+    return f"{number} {name}{unit}"

@@ -4,6 +4,7 @@ from typing import List, Sequence, Tuple
 
 import numpy as np
 
+from .._remarks import elastic_limit
 from .._status import Status
 from ..result import Result
 from ..surface import PowerLaw
@@ -11,7 +12,7 @@ from .content import Content
 from .quantities import with_prefix
 
 Rows = Sequence[Tuple[str, str]]
-HARDEST_STEEL, SMALL_STRAIN = 10e9, 0.2  # [Pa], largest pressure over E*; as the command has them
+SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def status(step: Result) -> str:
@@ -39,12 +40,8 @@ def conclusion(content: Content) -> str:
     line += f"largest pressure {with_prefix(last.max_pressure, 'Pa')}"
     if hardness:
         return line + f", below the hardness of {with_prefix(hardness, 'Pa')}."
-    if last.max_pressure > HARDEST_STEEL:
-        line += ". Warning: above the hardness of any steel, this is a purely elastic answer (add --hardness)"
-    elif last.max_pressure > SMALL_STRAIN * content.request.modulus:
-        ratio = last.max_pressure / content.request.modulus
-        line += f". Warning: that is {ratio:.2g} E*, linear elasticity does not hold there (add --hardness)"
-    return line + "."
+    doubt = elastic_limit(last.max_pressure, content.request.modulus, "--hardness")
+    return line + (f". Warning: {doubt}." if doubt else ".")
 
 
 def facts(content: Content) -> List[str]:
@@ -72,7 +69,7 @@ def step_rows(content: Content) -> List[Tuple[str, ...]]:
             f"{100 * step.area_fraction:.4g} %",
             f"{100 * content.corrected(step):.4g} %",
             with_prefix(step.mean_gap, "m", 4),
-            with_prefix(step.max_pressure, "Pa", 4),
+            with_prefix(step.max_pressure, "Pa", 4) + (f" at {step.capped} points" if step.capped > 1 else ""),
             with_prefix(step.stiffness, "N/m", 4),
             str(step.patches),
             status(step),
@@ -114,6 +111,14 @@ def _errors(step: Result) -> str:
     return f"{100 * accuracy.error_estimate:.2g} %, {100 * accuracy.area_estimate:.2g} % ({accuracy.model_nx} × {accuracy.model_ny} points solved)"
 
 
+def _power(value: float) -> str:
+    """ "1.3·10⁻⁸", which no line breaks in two."""
+    if not (value > 0 and np.isfinite(value)):
+        return f"{value:g}"
+    digits, exponent = f"{value:.1e}".split("e")
+    return f"{digits}·10{str(int(exponent)).translate(SUPERSCRIPTS)}"
+
+
 def _interval(least: float, most: float, unit: str) -> str:
     """The middle and the half-width of a proven interval, the middle to the digit that the half-width leaves known."""
     if not np.isfinite([least, most]).all():
@@ -131,8 +136,8 @@ def proof_rows(content: Content) -> List[Tuple[str, ...]]:
         rows.append(
             (
                 str(k),
-                f"{r.residual:.1e}",
-                f"{r.tolerance:.1e}",
+                _power(r.residual),
+                _power(r.tolerance),
                 _interval(r.load_lower, r.load_upper, "N"),
                 _interval(100 * r.area_lower / cells, 100 * r.area_upper / cells, "%"),
                 f"{r.proven_contacts}, {r.proven_open}, {r.undecided}" if r.proven_contacts >= 0 else "not known",
