@@ -15,6 +15,11 @@ module roughcontact_functions
     end function
     type(c_ptr) function rc_last_error() bind(c); import
     end function
+    integer(rc_status) function rc_file_write(path, data, size) bind(c); import
+      character(kind=c_char), intent(in) :: path(*)
+      type(c_ptr), value :: data
+      integer(c_size_t), value :: size
+    end function
     subroutine rc_version(major, minor, patch, abi) bind(c); import
       integer(c_int32_t), intent(inout), optional :: major, minor, patch, abi
     end subroutine

@@ -134,6 +134,11 @@ RC_API const char *rc_status_text(rc_status status);
 /** The calling thread's last failure or stop, as "where: what, value, limit, what to do"; "" if the last call
  *  returned RC_OK. Valid until the thread's next call of a function that returns rc_status. */
 RC_API const char *rc_last_error(void);
+/** Writes data [size] to a file as all functions that write files do: under a temporary name in its folder, brought to the disk and
+ *  renamed. The file is whole or unchanged and keeps its permissions; through a link its target is replaced. A device, a pipe
+ *  with a reader and an open stream (/dev/stdout) get the bytes; folders, block devices, sockets and pipes without a reader are
+ *  refused. Paths are UTF-8, or any bytes where the system allows them. Errors: ARGUMENT (the file cannot be written), MEMORY. */
+RC_API rc_status rc_file_write(const char *path, const void *data, size_t size);
 /** Version of the library in use; any pointer may be NULL. */
 RC_API void rc_version(int32_t *major, int32_t *minor, int32_t *patch, int32_t *abi);
 /** @} */
