@@ -75,8 +75,8 @@ def surface_in(
         spec.hx, spec.hy = as_pitch(pitch)
     library, out = formats_library(), rc_surface_file()
     contents = file if isinstance(file, bytes) else None
-    name: Any = "" if isinstance(file, bytes) else getattr(file, "name", "") if _is_open(file) else os.fspath(cast(Any, file))
-    name = name if isinstance(name, str) else ""
+    named: Any = "" if isinstance(file, bytes) else getattr(file, "name", "") if _is_open(file) else file
+    name = os.fsdecode(named) if isinstance(named, (str, bytes, os.PathLike)) else ""
     if _is_open(file):
         contents = cast(IO[bytes], file).read()
         if not isinstance(contents, bytes):
