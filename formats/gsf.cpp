@@ -1,6 +1,7 @@
 // Gwyddion Simple Field: a text header of "Name = value" lines, NUL bytes up to a multiple of four (at least one), then XRes*YRes
 // little-endian float32 heights, rows from top to bottom. XReal and YReal are the size of the whole field. Gwyddion keeps
-// lines that it does not know; "Periodic = 1" (0) is this project's own: the surface repeats (does not).
+// lines that it does not know; two are this project's own: "Periodic = 1" (0), the surface repeats (does not), and "ZOffset",
+// which was taken off the heights before they became float32.
 #include <cmath>
 #include <map>
 #include <string>
@@ -49,6 +50,11 @@ std::optional<double> pitch(const Header& header, std::string_view key, std::int
   return file_length(std::string(key) + " over the points", size * unit / static_cast<double>(points));
 }
 
+double offset(const Header& header) {
+  const auto text = text_of(header, "ZOffset");
+  return text.empty() ? 0 : finite_number("ZOffset", text);
+}
+
 std::optional<bool> repeats(const Header& header) {
   const auto text = text_of(header, "Periodic");
   if (text.empty()) return std::nullopt;
@@ -83,8 +89,9 @@ Surface read_gsf(std::string_view file, const BareUnit& unit) {
 
   surface.periodic = repeats(header);
   const double vertical = file_unit(surface, "heights", vertical_unit, unit);
-  append_numbers<float>(data, std::endian::little, surface.heights,
-                        [vertical](float z) { return vertical * static_cast<double>(z); });
+  append_numbers<float>(data, std::endian::little, surface.heights, [vertical, taken_off = offset(header)](float z) {
+    return vertical * (static_cast<double>(z) + taken_off);
+  });
   return surface;
 }
 

@@ -18,6 +18,11 @@ module roughcontact_functions
     subroutine rc_stop_when(flag) bind(c); import
       integer(c_int32_t), intent(in), optional :: flag
     end subroutine
+    integer(rc_status) function rc_file_write(path, data, size) bind(c); import
+      character(kind=c_char), intent(in) :: path(*)
+      type(c_ptr), value :: data
+      integer(c_size_t), value :: size
+    end function
     subroutine rc_version(major, minor, patch, abi) bind(c); import
       integer(c_int32_t), intent(inout), optional :: major, minor, patch, abi
     end subroutine

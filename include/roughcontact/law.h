@@ -144,8 +144,8 @@ RC_API rc_status rc_law_evaluate(const rc_law *law, double x, rc_law_point *out)
 /** @} */
 
 /** @defgroup law_files Files
- *  A file is written under a temporary name and then renamed, so there is never half a file. A path that exists and is not a
- *  regular file is refused. Paths are UTF-8.
+ *  Files are written as rc_file_write does. Only regular files of at most 4e9 bytes are read. Paths are UTF-8, or any bytes where
+ *  the system allows them.
  *  @{ */
 /** A text file with every bit of the law and a checksum. Errors: ARGUMENT (the file cannot be written). */
 RC_API rc_status rc_law_save(const rc_law *law, const char *path);

@@ -146,6 +146,11 @@ RC_API const char *rc_last_error(void);
  *  signal handler may bring about: steps, histories, batches, laws, derivatives, stiffnesses and direct routines. The library
  *  only reads *flag, which must live until another call of this function or the thread's end. NULL: no flag (default). */
 RC_API void rc_stop_when(const int32_t *flag);
+/** Writes data [size] to a file as all functions that write files do: under a temporary name in its folder, brought to the disk and
+ *  renamed. The file is whole or unchanged and keeps its permissions; through a link its target is replaced. A device, a pipe
+ *  with a reader and an open stream (/dev/stdout) get the bytes; folders, block devices, sockets and pipes without a reader are
+ *  refused. Paths are UTF-8, or any bytes where the system allows them. Errors: ARGUMENT (the file cannot be written), MEMORY. */
+RC_API rc_status rc_file_write(const char *path, const void *data, size_t size);
 /** Version of the library in use; any pointer may be NULL. */
 RC_API void rc_version(int32_t *major, int32_t *minor, int32_t *patch, int32_t *abi);
 /** @} */

@@ -8,12 +8,12 @@
 
 #include "abi/guard.h"
 #include "abi/sized_struct.h"
+#include "core/files.h"
 #include "law/cards.h"
 #include "law/create.h"
 #include "law/law_file.h"
 #include "law/named.h"
 #include "law/table.h"
-#include "law/text_file.h"
 
 struct rc_law {
   std::unique_ptr<const rc::Law> made;
@@ -29,7 +29,7 @@ const Law& valid(const rc_law* law) {
 }
 
 rc_law* loaded(const char* path) {
-  const std::string text = read_text(path);
+  const std::string text = read_file(path, law_file_begins, law_file_most);
   try {
     return new rc_law{law_of(text)};
   } catch (const Error& error) {
@@ -163,7 +163,7 @@ rc_status rc_law_save(const rc_law* law, const char* path) {
   return guard("rc_law_save", [&] {
     const Law& saved = valid(law);
     if (!path) fail(RC_ERR_ARGUMENT, "path is null");
-    write_text(path, text_of(saved));
+    write_file(path, text_of(saved));
     return RC_OK;
   });
 }
@@ -184,7 +184,7 @@ rc_status rc_law_export(const rc_law* law, const char* path, rc_law_export_spec*
     if (!path) fail(RC_ERR_ARGUMENT, "path is null");
     rc_law_export_spec cards = read<rc_law_export_spec>(spec, "rc_law_export_spec", RC_LAW_EXPORT_SPEC_INIT);
     check_reserved(cards.reserved, "rc_law_export_spec.reserved");
-    write_text(path, cards_of(exported, cards));
+    write_file(path, cards_of(exported, cards));
     spec->error = cards.error;
     return RC_OK;
   });

@@ -17,7 +17,7 @@ namespace rc {
 
 namespace {
 
-constexpr std::string_view format_name = "roughcontact-law ";
+constexpr std::string_view format_name = law_file_begins;
 constexpr long long newest_version = 1, most_nodes = 10'000'000;
 
 std::uint64_t checksum(std::string_view text) {

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "core/text.h"
+#include "formats/error.h"
 #include "formats/readers.h"
 #include "text.h"
 
@@ -39,13 +42,22 @@ void write_npy(std::FILE* file, const std::vector<double>& values, std::int64_t 
 }
 
 void write_gsf(std::FILE* file, const Surface& surface) {
+  std::vector<float> heights;
+  double largest = 0, error = 0;
+  for (const double z : surface.heights) {
+    heights.push_back(static_cast<float>(z));
+    largest = std::max(largest, std::abs(z));
+    error = std::max(error, std::abs(static_cast<double>(heights.back()) - z));
+  }
+  if (!(error <= 1e-6 * largest))
+    throw Error("the heights are beyond the range of single precision, which a .gsf file has: write a .npy file");
   std::string header = rc::join(gsf_magic, "XRes = ", surface.nx, "\nYRes = ", surface.ny, "\n");
   header += format("XReal = %.17g\nYReal = %.17g\nXYUnits = m\nZUnits = m\n", *surface.hx * static_cast<double>(surface.nx),
                    *surface.hy * static_cast<double>(surface.ny));
   if (surface.periodic) header += rc::join("Periodic = ", *surface.periodic ? 1 : 0, "\n");
   header.append(4 - header.size() % 4, '\0');
   std::fwrite(header.data(), 1, header.size(), file);
-  write_little_endian(file, std::vector<float>(surface.heights.begin(), surface.heights.end()));
+  write_little_endian(file, std::move(heights));
 }
 
 }  // namespace cli

@@ -16,7 +16,8 @@ std::string npy_header(std::int64_t nx, std::int64_t ny, const char* descr = "<f
 
 void write_npy(std::FILE* file, const std::vector<double>& values, std::int64_t nx, std::int64_t ny);
 
-// Gwyddion Simple Field, lengths in metres; heights become float32.
+// Gwyddion Simple Field, lengths in metres; heights become float32, to which rounding errors of 1e-7 of the largest must not
+// matter. Throws an Error if they are beyond its range.
 void write_gsf(std::FILE* file, const rc::formats::Surface& surface);
 
 }  // namespace cli

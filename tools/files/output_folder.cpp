@@ -6,7 +6,7 @@
 #include <iterator>
 #include <system_error>
 
-#include "files/whole_file.h"
+#include "files/outputs.h"
 #include "formats/error.h"
 #include "platform/files.h"
 #include "platform/libraries.h"
@@ -58,7 +58,7 @@ OutputFolder::~OutputFolder() {
 }
 
 void OutputFolder::write(const std::string& name, const std::function<bool(std::FILE*)>& fill) {
-  write_whole_file(path_ / name, fill);
+  write_output(path_ / name, fill);
 }
 
 void OutputFolder::refuse_special(const std::string& name) const {

@@ -7,10 +7,10 @@
 #include <string_view>
 #include <utility>
 
+#include "files/outputs.h"
 #include "files/step_writers.h"
-#include "files/whole_file.h"
 #include "formats/error.h"
-#include "platform/files.h"
+#include "platform/output.h"
 #include "text.h"
 
 namespace cli {
@@ -77,7 +77,7 @@ RunFolder::~RunFolder() {
 // Removes the temporary files of a run that was killed.
 void RunFolder::remove_unfinished(const std::vector<std::string>& present) {
   for (const std::string& name : present) {
-    const std::string target{target_of_temporary(name)};
+    const std::string target{rc_platform::target_of_temporary(name)};
     if (of_all_steps(target) || parts_of(target).number > 0) folder_.remove(name);
   }
 }
@@ -138,7 +138,7 @@ void RunFolder::begin() {
   if (begun_) return;
   begun_ = true;
   const std::size_t kept = finished_, own = earlier_ ? earlier_->own_steps() : 0;
-  write_whole_file(folder_.path(summary_name), summary_.text(own > kept ? own : 0));
+  write_output(folder_.path(summary_name), summary_.text(own > kept ? own : 0));
   if (own > 0) folder_.remove(history_name);
   if (own > 0) folder_.remove(table_name);
   remove_steps(kept + 1, own);
@@ -156,8 +156,8 @@ void RunFolder::begin_step(std::size_t number) {
 
 void RunFolder::end_step(std::span<const JsonEntry> fields) {
   add(fields);
-  write_whole_file(folder_.path(table_name), table_.text());
-  write_whole_file(folder_.path(summary_name), summary_.text());
+  write_output(folder_.path(table_name), table_.text());
+  write_output(folder_.path(summary_name), summary_.text());
   unfinished_ = 0;
 }
 

@@ -11,7 +11,7 @@
 #include "arguments/choices.h"
 #include "arguments/quantities.h"
 #include "arguments/targets.h"
-#include "files/whole_file.h"
+#include "files/outputs.h"
 #include "formats/error.h"
 #include "formats/numbers.h"
 #include "law/law_view.h"
@@ -133,29 +133,17 @@ std::vector<LawExport> exports_of(const LawArguments& arguments, const LawUnits&
   return found;
 }
 
-// Files that are to be written can be, and are different ones; a law may take long to make.
-void check_outputs(const LawArguments& arguments, const std::vector<LawExport>& exports) {
+// A law may take long to make.
+void check_files(const LawArguments& arguments, const std::vector<LawExport>& exports) {
+  std::vector<std::string> inputs{arguments.contact.surface.file};
+  if (arguments.contact.surface.against) inputs.push_back(*arguments.contact.surface.against);
   std::vector<std::pair<std::string, std::string>> outputs;
   for (const auto& [option, path] : {std::pair{"--output", &arguments.output}, std::pair{"--json", &arguments.json},
                                      std::pair{"--picture", &arguments.picture}}) {
     if (*path) outputs.emplace_back(option, **path);
   }
   for (const LawExport& each : exports) outputs.emplace_back(each.option, each.path);
-  std::error_code none;
-  const auto whole_path = [&](const std::string& name) {
-    return fs::weakly_canonical(fs::absolute(rc_platform::path_of(name), none), none);
-  };
-  std::vector<fs::path> known{whole_path(arguments.contact.surface.file)};
-  for (const auto& [option, name] : outputs) {
-    const fs::path whole = whole_path(name), folder = whole.parent_path();
-    if (std::ranges::count(known, whole) > 0)
-      throw Error(option, ": ", in_quotes(name), " is read or written as another file as well, give another name");
-    known.push_back(whole);
-    if (fs::exists(whole, none) && !fs::is_regular_file(whole, none))
-      throw Error(option, ": cannot write ", in_quotes(name), ": it is there already, and is no regular file");
-    if (!fs::is_directory(folder, none) || !rc_platform::may_write_into(folder))
-      throw Error(option, ": cannot write ", in_quotes(name), ": its folder is missing, or nothing can be written there");
-  }
+  check_outputs(inputs, outputs);
 }
 
 void set_bulk(const std::optional<std::string>& text, const rc_system& system, rc_law_spec& spec) {
@@ -275,7 +263,7 @@ ExitCode run_law(LawArguments arguments) {
   const std::vector<LawExport> exports =
       exports_of(arguments, known ? law_units("--law-units", arguments.law_units) : LawUnits{});
   const Places places = places_of(arguments);
-  check_outputs(arguments, exports);
+  check_files(arguments, exports);
   PatchLaw law = known ? read_law(arguments) : make_law(arguments);
   check(rc_law_describe(law.handle.get(), &law.info), "");
   const std::vector<LawRow> rows = rows_at(law, places);
@@ -287,7 +275,7 @@ ExitCode run_law(LawArguments arguments) {
       report(format("note: straight lines between the rows of %s are within %.2g %% of the law", each.path.c_str(),
                     100 * each.spec.error));
   }
-  if (arguments.json) write_whole_file(rc_platform::path_of(*arguments.json), law_document(law, rows));
+  if (arguments.json) write_output(rc_platform::path_of(*arguments.json), law_document(law, rows));
   if (arguments.picture) write_picture(*arguments.picture, [&](std::FILE* file) { return draw_law(law, file); });
   if (!arguments.contact.quiet) print_law(law, rows);
   return all_proven(law, rows) ? exit_certified : exit_uncertified;

@@ -3,7 +3,9 @@
 #include <cerrno>
 #include <cstring>
 #include <memory>
+#include <string_view>
 
+#include "formats/error.h"
 #include "platform/files.h"
 #include "platform/process.h"
 #include "text.h"
@@ -25,6 +27,19 @@ std::string complaint(std::FILE* output) {
   return "no message";
 }
 
+// gnuplot does not notice a disk that fills up: what begins as a PNG must have its end.
+bool cut_off(std::FILE* picture) {
+  constexpr std::string_view begins = "\x89PNG", ends = "IEND\xae\x42\x60\x82";
+  const auto has = [picture](std::string_view bytes, long offset, int from) {
+    std::string found(bytes.size(), '\0');
+    return std::fseek(picture, offset, from) == 0 && std::fread(found.data(), 1, found.size(), picture) == found.size() &&
+           found == bytes;
+  };
+  const bool cut = has(begins, 0, SEEK_SET) && !has(ends, -static_cast<long>(ends.size()), SEEK_END);
+  std::fseek(picture, 0, SEEK_END);
+  return cut;
+}
+
 }  // namespace
 
 Gnuplot run_gnuplot(const std::string& script, std::FILE* picture) {
@@ -37,6 +52,7 @@ Gnuplot run_gnuplot(const std::string& script, std::FILE* picture) {
   const rc_platform::Ended ended = rc_platform::run("gnuplot", {"-d"}, input.get(), picture, complaints.get());
   if (!ended.error.empty()) return {false, ended.missing, ended.error};
   const bool empty = rc_platform::size_of(picture) == 0;
+  if (ended.code == 0 && cut_off(picture)) throw Error("cannot write what gnuplot drew: it is cut off, the disk may be full");
   if (ended.code == 0) return {!empty, false, empty ? "it wrote nothing" : ""};
   return {false, false, complaint(complaints.get())};
 }

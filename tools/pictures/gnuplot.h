@@ -12,7 +12,8 @@ struct Gnuplot {
   std::string message;   // why it failed
 };
 
-// Runs gnuplot on a script with inline data. What it draws without `set output` goes to the picture.
+// Runs gnuplot on a script with inline data. What it draws without `set output` goes to the picture. Throws an Error if
+// that is cut off.
 Gnuplot run_gnuplot(const std::string& script, std::FILE* picture);
 
 }  // namespace cli

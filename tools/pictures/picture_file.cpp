@@ -1,13 +1,13 @@
 #include "pictures/picture_file.h"
 
-#include "files/whole_file.h"
+#include "files/outputs.h"
 #include "platform/files.h"
 #include "text.h"
 
 namespace cli {
 
 void write_picture(const std::string& path, const std::function<Gnuplot(std::FILE*)>& draw) {
-  write_whole_file(rc_platform::path_of(path), [&](std::FILE* file) {
+  write_output(rc_platform::path_of(path), [&](std::FILE* file) {
     const Gnuplot outcome = draw(file);
     if (outcome.missing) {
       report("gnuplot not found: " + path + " not drawn");

@@ -1,7 +1,7 @@
 #include "checkpoint.h"
 
 #include "files/json_text.h"
-#include "files/whole_file.h"
+#include "files/outputs.h"
 
 namespace cli {
 
@@ -17,7 +17,7 @@ void Checkpoint::write(std::size_t step, std::int64_t iterations, const std::vec
   ranks_.on_first([&] {
     JsonText note;
     note.add({{"step", static_cast<std::int64_t>(step)}, {"iterations", iterations}, {"second", second_}});
-    write_whole_file(folder_ / note_name, note.text());
+    write_output(folder_ / note_name, note.text());
   });
   second_ = !second_;
 }

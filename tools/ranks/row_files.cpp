@@ -6,11 +6,11 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <optional>
 
 #include "files/array_files.h"
-#include "files/whole_file.h"
 #include "formats/error.h"
-#include "platform/files.h"
+#include "platform/output.h"
 #include "text.h"
 
 namespace cli {
@@ -131,12 +131,18 @@ std::vector<double> read_rows(const Communicator& ranks, const std::string& file
 
 void write_rows(const Communicator& ranks, const std::filesystem::path& path, std::span<const double> values, std::int64_t nx,
                 std::int64_t ny, Rows rows) {
-  std::string name;
-  ranks.on_first([&] { name = temporary_for(path).string(); });
-  name = ranks.of_first(std::move(name));
+  std::optional<rc_platform::Output> output;  // on the first rank
+  const auto check_output = [&] {
+    if (!output->failure().empty()) throw Error("cannot write ", in_quotes(path.string()), ": ", output->failure());
+  };
+  ranks.on_first([&] {
+    output.emplace(path);
+    check_output();
+  });
+  const std::string name = ranks.of_first(output ? output->temporary().string() : "");
   const std::string header = npy_header(nx, ny, std::endian::native == std::endian::little ? "<f8" : ">f8");
-  try {
-    const RankFile target{ranks, name, MPI_MODE_CREATE | MPI_MODE_EXCL | MPI_MODE_WRONLY};
+  {
+    const RankFile target{ranks, name, MPI_MODE_WRONLY};
     ranks.together([&] {
       if (ranks.first()) target.write(0, header.data(), header.size());
       const std::size_t most = piece_bytes / sizeof(double);
@@ -148,14 +154,10 @@ void write_rows(const Communicator& ranks, const std::filesystem::path& path, st
     });
     const int code = MPI_File_sync(target.get());
     ranks.together([&] { target.check(code, "write"); });
-  } catch (const Error&) {
-    if (ranks.first()) rc_platform::remove_file(std::filesystem::path(name).c_str());
-    throw;
   }
   ranks.on_first([&] {
-    const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-    if (!rc_platform::rename_over(name, path) || !rc_platform::bring_folder_to_disk(folder))
-      throw Error("cannot write ", in_quotes(path.string()), ": ", std::strerror(errno));
+    output->finish();
+    check_output();
   });
 }
 

@@ -2,7 +2,7 @@
 
 #include <atomic>
 
-#include "files/whole_file.h"
+#include "platform/output.h"
 #include "platform/terminal.h"
 
 namespace cli {
@@ -19,7 +19,7 @@ void on_signal(int number) {
     rc_contact_cancel(contact);
     return;
   }
-  remove_unfinished_file();
+  rc_platform::remove_unfinished_outputs();
   rc_platform::end_by(number);
 }
 

@@ -7,7 +7,7 @@
 
 #include "arguments/quantities.h"
 #include "files/json_text.h"
-#include "files/whole_file.h"
+#include "files/outputs.h"
 #include "formats/error.h"
 #include "formats/numbers.h"
 #include "library.h"
@@ -209,10 +209,14 @@ std::string document(const Analysis& a) {
 }  // namespace
 
 void analyze(const AnalyzeArguments& arguments) {
+  std::vector<std::pair<std::string, std::string>> outputs;
+  if (arguments.json) outputs.emplace_back("--json", *arguments.json);
+  if (arguments.picture) outputs.emplace_back("--picture", *arguments.picture);
+  check_outputs({arguments.surface.file}, outputs);
   const Analysis analysis = make_analysis(arguments);
   if (arguments.json) {
     const std::string text = document(analysis);
-    write_whole_file(rc_platform::path_of(*arguments.json), text);
+    write_output(rc_platform::path_of(*arguments.json), text);
   }
   if (arguments.picture) {
     write_picture(*arguments.picture, [&](std::FILE* file) { return draw_spectrum(analysis, file); });

@@ -7,7 +7,7 @@
 
 #include "arguments/quantities.h"
 #include "files/array_files.h"
-#include "files/whole_file.h"
+#include "files/outputs.h"
 #include "formats/error.h"
 #include "formats/numbers.h"
 #include "formats/surface.h"
@@ -150,6 +150,7 @@ void generate(const std::string& kind, const GenerateArguments& arguments) {
   if (extension != ".npy" && extension != ".gsf")
     throw Error("--output: ", in_quotes(arguments.output), " must end in .npy or .gsf");
 
+  check_outputs({}, {{"--output", arguments.output}});
   Surface surface = kind == "rmd"        ? midpoint_displacement(arguments, unit)
                     : kind == "spectral" ? self_affine(arguments, unit)
                                          : shape(kind, arguments, unit);
@@ -158,7 +159,7 @@ void generate(const std::string& kind, const GenerateArguments& arguments) {
     surface.hy = unit * *surface.hy;
     for (double& z : surface.heights) z *= unit;
   }
-  write_whole_file(path, [&](std::FILE* file) {
+  write_output(path, [&](std::FILE* file) {
     if (extension == ".gsf") {
       write_gsf(file, surface);
     } else {

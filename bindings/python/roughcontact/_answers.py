@@ -3,14 +3,16 @@
 import dataclasses
 import html
 import importlib
+import io
 import json
 import os
-from typing import Any, ClassVar, Dict, Optional, Tuple, Type, Union
+from typing import Any, ClassVar, Dict, Optional, Tuple, Type
 
 import numpy as np
 
 from ._device import on_host
 from ._errors import ArgumentError
+from ._paths import Path, write_file
 from ._status import Status
 
 MAPS = ("pressure", "gap")
@@ -102,12 +104,13 @@ class Answer(Stored):
             variables["mask"] = (across, grid.mask)
         return xarray.Dataset(variables, places, attributes)
 
-    def save(self, file: Union[str, "os.PathLike[str]"]) -> None:
+    def save(self, file: Path) -> None:
         """Writes the answer to a file of NumPy's (.npz), which `load` reads."""
         arrays: Dict[str, Any] = {}
         text = json.dumps(_packed(self, "", arrays))
-        with open(file, "wb") as stream:
-            np.savez_compressed(stream, answer=np.array(text), **arrays)
+        stream = io.BytesIO()
+        np.savez_compressed(stream, answer=np.array(text), **arrays)
+        write_file(file, stream.getvalue())
 
     def _rows(self) -> Dict[str, str]:
         """What a notebook shows, in its order."""
@@ -158,12 +161,12 @@ def _unpacked(value: Any, arrays: Any) -> Any:
     return _STORED[value["class"]](**{name: _unpacked(each, arrays) for name, each in value["members"].items()})
 
 
-def load(file: Union[str, "os.PathLike[str]"]) -> Any:
+def load(file: Path) -> Any:
     """Reads an answer that `save` has written: a `Result`, `HistoryResult` or `BatchResult`."""
-    with np.load(file, allow_pickle=False) as arrays:
+    with np.load(os.fsdecode(file), allow_pickle=False) as arrays:
         if "answer" not in arrays:
-            raise ArgumentError(f"{os.fspath(file)} holds no answer of this package")
+            raise ArgumentError(f"{os.fsdecode(file)} holds no answer of this package")
         try:
             return _unpacked(json.loads(str(arrays["answer"])), arrays)
         except (KeyError, TypeError, ValueError) as error:
-            raise ArgumentError(f"{os.fspath(file)} holds an answer of another version: {error}") from error
+            raise ArgumentError(f"{os.fsdecode(file)} holds an answer of another version: {error}") from error

@@ -92,8 +92,8 @@ def other_surface_in(file: File, unit: Optional[str], otherwise: Pitch) -> Surfa
 
 
 def _name_of(file: File) -> str:
-    name: Any = "" if isinstance(file, bytes) else getattr(file, "name", "") if _is_open(file) else os.fspath(cast(Any, file))
-    return name if isinstance(name, str) else ""
+    named: Any = "" if isinstance(file, bytes) else getattr(file, "name", "") if _is_open(file) else file
+    return os.fsdecode(named) if isinstance(named, (str, bytes, os.PathLike)) else ""
 
 
 def surface_and_doubt(

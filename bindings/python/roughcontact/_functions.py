@@ -18,6 +18,7 @@ class ContactFunctions(Protocol):
     rc_status_text: Callable[[rc_status], text]
     rc_last_error: Callable[[], text]
     rc_stop_when: Callable[[statuses], None]
+    rc_file_write: Callable[[text, handle, size_t], rc_status]
     rc_version: Callable[[statuses, statuses, statuses, statuses], None]
     rc_gap_from_heights: Callable[[int64_t, doubles, bytes_, doubles], rc_status]
     rc_options_create: Callable[[handle, handles], rc_status]

@@ -1,8 +1,7 @@
 """Heights on a grid."""
 
-import os
 from dataclasses import dataclass, replace
-from typing import Any, ClassVar, Optional, Tuple, Union
+from typing import Any, ClassVar, Optional, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +12,7 @@ from ._calls import check, check_formats
 from ._data_arrays import described
 from ._errors import ArgumentError, ShapeError
 from ._library import contact_library, formats_library
+from ._paths import Path
 from ._surface_writer import save_surface
 from ._units import metres_of
 
@@ -127,11 +127,11 @@ class Surface:
             assumed="; ".join(dict.fromkeys(each for each in (self.assumed, other.assumed) if each)),
         )
 
-    def save(self, path: Union[str, "os.PathLike[str]"]) -> None:
+    def save(self, path: Path) -> None:
         """Writes a file that `read` reads, by the suffix: ".nc" with pitch, unit, missing points and whether the surface repeats;
-        ".gsf" the same with heights in single precision; ".npy" only the heights, NaN at missing points. The file is whole or
-        absent."""
-        save_surface(os.fspath(path), np.atleast_2d(self._known()), self.pitch, self.unit, self.periodic)
+        ".gsf" the same with heights in single precision, with a warning if that changes the roughness; ".npy" only the heights, NaN
+        at missing points. The file is written as `rc_file_write` does."""
+        save_surface(path, np.atleast_2d(self._known()), self.pitch, self.unit, self.periodic)
 
     def __repr__(self) -> str:
         missing = int(self.missing.sum())

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import os
 import weakref
 from typing import Any, Callable, Dict, Mapping, NamedTuple, Optional, Tuple, Union
 
@@ -11,13 +10,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _constants, plot
-from ._arrays import Doubles, Pitch, as_doubles, as_text, pointer
-from ._calls import Callbacks, check, conclude, interruptible
+from ._arrays import Doubles, Pitch, as_doubles, pointer
+from ._calls import Callbacks, check, conclude, interruptible, last_message
 from ._elastic import Constant, modulus_of
 from ._errors import ArgumentError
 from ._handle import Progress, progress_caller
 from ._keywords import options_of
 from ._library import contact_library
+from ._paths import Path, as_path
 from ._solve import system_for
 from ._status import Status
 from ._structs import rc_law_export_spec, rc_law_info, rc_law_node, rc_law_point, rc_law_spec, rc_progress_fn
@@ -59,10 +59,10 @@ class Law(OwnsHandle):
         self._close.atexit = False
 
     @classmethod
-    def load(cls, path: Union[str, os.PathLike[str]]) -> Law:
+    def load(cls, path: Path) -> Law:
         """The law of a file, with the status that it was made with."""
         handle = ctypes.c_void_p()
-        status = contact_library().rc_law_load(as_text(os.fspath(path), "path"), handle)
+        status = contact_library().rc_law_load(as_path(path), handle)
         check(status)
         return cls(handle, Status(status))
 
@@ -122,13 +122,13 @@ class Law(OwnsHandle):
         """`roughcontact.plot.law` of this law."""
         return plot.law(self, **how)
 
-    def save(self, path: Union[str, os.PathLike[str]]) -> None:
+    def save(self, path: Path) -> None:
         """A text file with every bit of the law."""
-        check(contact_library().rc_law_save(self._handle, as_text(os.fspath(path), "path")))
+        check(contact_library().rc_law_save(self._handle, as_path(path)))
 
     def export(
         self,
-        path: Union[str, os.PathLike[str]],
+        path: Path,
         format: str,
         *,
         rows: int = 0,
@@ -148,7 +148,7 @@ class Law(OwnsHandle):
         spec.format, spec.rows, spec.length, spec.force, spec.beyond = FORMATS[format], rows, length, force, beyond
         if k is not None:
             spec.rho1, spec.rho2 = (1 / float(each) for each in k)
-        check(contact_library().rc_law_export(self._handle, as_text(os.fspath(path), "path"), spec))
+        check(contact_library().rc_law_export(self._handle, as_path(path), spec))
         return float(spec.error)
 
     def _evaluated(self, x: ArrayLike) -> Tuple[Any, Any, Any]:

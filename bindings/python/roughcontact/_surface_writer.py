@@ -1,32 +1,70 @@
 """Files of heights: Gwyddion Simple Field, NetCDF as contact.engineering has it, and NumPy's arrays."""
 
+import io
+import math
 import os
 import struct
+import warnings
 from typing import IO, Dict, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
-from ._arrays import Doubles
+from ._arrays import Doubles, pointer
+from ._calls import check_formats
+from ._constants import RC_SURFACE_FORM_PLANE
 from ._errors import ArgumentError
+from ._library import formats_library
+from ._paths import Path, write_file
 from ._units import metres_of
-from ._whole_file import whole_file
+
+
+def _largest(values: Doubles) -> float:
+    return float(np.max(np.abs(values[~np.isnan(values)]), initial=0.0))
+
+
+def _rounding(heights: Doubles) -> float:
+    """The largest error of heights in single precision."""
+    with np.errstate(over="ignore"):
+        return _largest(heights.astype(np.float32) - heights)
+
+
+def _roughness(heights: Doubles) -> float:
+    """rms about the mean plane"""
+    flat, (ny, nx) = heights.copy(), heights.shape
+    check_formats(formats_library().rc_surface_remove_form(nx, ny, RC_SURFACE_FORM_PLANE, pointer(flat)))
+    largest = _largest(flat)
+    return largest * math.sqrt(np.nanmean((flat / largest) ** 2)) if largest > 0 else 0.0
 
 
 def _write_gsf(
     file: IO[bytes], heights: Doubles, pitch: Tuple[float, float], unit: Optional[str], periodic: Optional[bool]
 ) -> None:
+    """Heights less their mean where rounding would change the roughness; the file says so."""
+    noticed, round_off = 1e-4, 1e-12  # shares of the roughness, and of the heights where a plane has no more
     metres = metres_of(unit or "m")
     (ny, nx), (hx, hy) = heights.shape, pitch
-    with np.errstate(over="ignore"):  # checked below
-        single = (heights * metres).astype("<f4")
-    known = heights[np.isfinite(heights)] * metres
-    kept = single[np.isfinite(heights)].astype(np.float64)
-    if known.size and not np.abs(kept - known).max() <= 1e-6 * np.abs(known).max():
+    heights = np.where(np.isfinite(heights), heights * metres, np.nan)
+    roughness = _roughness(heights)
+    plain, offset = _rounding(heights), 0.0
+    if plain > noticed * roughness:
+        mean = float(np.nanmean(heights))
+        offset = mean if _rounding(heights - mean) < plain / 2 else 0.0
+    heights = heights - offset
+    largest, error = _largest(heights), _rounding(heights)
+    if not error <= 1e-6 * largest:
         raise ArgumentError("the heights are beyond the range of single precision, which a .gsf file has")
+    if roughness > round_off * largest and error > noticed * roughness:
+        warnings.warn(
+            f"single precision, which a .gsf file has, changes heights by up to {error / roughness:.2g} of their roughness; "
+            "a .nc file keeps them",
+            stacklevel=4,
+        )
+    single = heights.astype("<f4")
     lines = ["Gwyddion Simple Field 1.0", f"XRes = {nx}", f"YRes = {ny}"]
     lines += [f"XReal = {hx * metres * nx!r}", f"YReal = {hy * metres * ny!r}"]
     lines += [] if unit is None else ["XYUnits = m", "ZUnits = m"]
     lines += [] if periodic is None else [f"Periodic = {int(periodic)}"]
+    lines += [f"ZOffset = {offset!r}"] if offset else []
     header = "".join(line + "\n" for line in lines).encode("ascii")
     file.write(header + b"\0" * (4 - len(header) % 4) + single.tobytes())
 
@@ -78,16 +116,17 @@ def _write_netcdf(
 
 
 def save_surface(
-    path: str, heights: Doubles, pitch: Tuple[float, float], unit: Optional[str], periodic: Optional[bool]
+    path: Path, heights: Doubles, pitch: Tuple[float, float], unit: Optional[str], periodic: Optional[bool]
 ) -> None:
     """heights: [ny, nx], NaN where a point is missing."""
-    suffix = os.path.splitext(path)[1].lower()
+    suffix = os.path.splitext(os.fsdecode(path))[1].lower()
     if suffix not in (".gsf", ".nc", ".npy"):
-        raise ArgumentError(f"{path}: the file's name must end in .gsf, .nc or .npy")
+        raise ArgumentError(f"{os.fsdecode(path)}: the file's name must end in .gsf, .nc or .npy")
     if unit is not None and suffix != ".npy":
         metres_of(unit)
-    with whole_file(path) as file:
-        if suffix == ".npy":
-            np.save(file, heights)
-        else:
-            (_write_gsf if suffix == ".gsf" else _write_netcdf)(file, heights, pitch, unit, periodic)
+    file = io.BytesIO()
+    if suffix == ".npy":
+        np.save(file, heights)
+    else:
+        (_write_gsf if suffix == ".gsf" else _write_netcdf)(file, heights, pitch, unit, periodic)
+    write_file(path, file.getvalue())

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import os
 import sys
 import weakref
 from dataclasses import dataclass
@@ -17,6 +18,7 @@ from ._calls import check, last_message
 from ._errors import OptionError, error_for
 from ._kernel import Symbol, register
 from ._library import contact_library
+from ._paths import Path, as_path
 from ._status import Status
 from ._structs import rc_component, rc_context_config, rc_log_fn, rc_option_spec
 from ._use import OwnsHandle
@@ -78,7 +80,7 @@ class Context(OwnsHandle):
 
     def __init__(
         self,
-        plugin_path: Union[str, Sequence[str]] = (),
+        plugin_path: Union[Path, Sequence[Path]] = (),
         *,
         plugins: bool = True,
         environment: bool = True,
@@ -89,9 +91,8 @@ class Context(OwnsHandle):
         config.flags = (0 if plugins else _constants.RC_CONTEXT_NO_PLUGINS) | (
             0 if environment else _constants.RC_CONTEXT_NO_ENVIRONMENT
         )
-        config.plugin_path = (
-            as_text(plugin_path if isinstance(plugin_path, str) else ":".join(plugin_path), "plugin_path") or None
-        )
+        folders = [plugin_path] if isinstance(plugin_path, (str, bytes, os.PathLike)) else plugin_path
+        config.plugin_path = b":".join(map(as_path, folders)) or None
         self._log = rc_log_fn() if log is None else rc_log_fn(_guarded_log(log))
         config.log = self._log
         handle = ctypes.c_void_p()

@@ -48,14 +48,6 @@ std::FILE* open_to_read(const fs::path& path) {
   return descriptor < 0 ? nullptr : stream_of(descriptor, "rb");
 }
 
-std::FILE* create_new(const fs::path& path) {
-  const int descriptor = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (descriptor < 0) return nullptr;
-  std::FILE* const stream = stream_of(descriptor, "wb");
-  if (!stream) unlink(path.c_str());
-  return stream;
-}
-
 std::FILE* create_unnamed() { return std::tmpfile(); }
 
 bool bring_to_disk(std::FILE* file) { return std::fflush(file) == 0 && reach_disk(fileno(file)); }

@@ -56,9 +56,11 @@ std::FILE* stream_on(HANDLE handle, int flags, const char* mode) {
 
 std::FILE* open_to_read(const fs::path& path) { return _wfopen(path.c_str(), L"rbN"); }
 
-std::FILE* create_new(const fs::path& path) {
-  return stream_on(CreateFileW(path.c_str(), GENERIC_WRITE, FILE_SHARE_READ | FILE_SHARE_DELETE, nullptr, CREATE_NEW, 0, nullptr),
-                   _O_WRONLY, "wb");
+// Permissions are those of the folder.
+std::FILE* create_like(const fs::path& path, const fs::path&) {
+  return stream_on(CreateFileW(path.c_str(), GENERIC_READ | GENERIC_WRITE, FILE_SHARE_READ | FILE_SHARE_DELETE, nullptr,
+                               CREATE_NEW, 0, nullptr),
+                   _O_RDWR, "w+b");
 }
 
 std::FILE* create_unnamed() {
@@ -92,6 +94,8 @@ bool may_write_into(const fs::path& folder) {
   if (opened == INVALID_HANDLE_VALUE) errno = number_of(GetLastError());
   return opened != INVALID_HANDLE_VALUE && CloseHandle(opened);
 }
+
+bool may_write(const fs::path& file) { return _waccess(file.c_str(), 2) == 0; }
 
 bool draw_random(std::uint64_t& number) { return RtlGenRandom(&number, sizeof number); }
 

@@ -137,8 +137,8 @@ void damaged_files_are_refused() {
   refuses(load("roughcontact-law 2\n"), "version 2", "a newer version");
   refuses(rc_law_load((folder / "none.law").c_str(), &law), "none.law: cannot be read", "no file");
   refuses(rc_law_save(usual_law(), (folder / "none/a.law").c_str()), "cannot be written", "no folder");
-  refuses(rc_law_save(usual_law(), (folder / ".").c_str()), "no file", "a folder");
-  refuses(rc_law_load((folder / ".").c_str(), &law), "cannot be read", "a folder");
+  refuses(rc_law_save(usual_law(), (folder / ".").c_str()), "it is a folder", "a folder");
+  refuses(rc_law_load((folder / ".").c_str(), &law), "cannot be read: it is a folder", "a folder");
   check_equal(static_cast<std::int64_t>(folder.files()), 1, "files left");
 }
 

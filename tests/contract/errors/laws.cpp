@@ -247,10 +247,21 @@ Section laws() {
                refused,
                {"rc_law_save: nowhere/a.law: cannot be written"},
                [] { return rc_law_save(usual_law(), "nowhere/a.law"); }},
+              {"`rc_file_write`: a folder",
+               refused,
+               {"rc_file_write: .: cannot be written: it is a folder, give the name of a file"},
+               [] { return rc_file_write(".", "text", 4); }},
               {"`rc_law_load`: no file",
                refused,
                {"rc_law_load: errors.law: cannot be read: there is no such file"},
                loading(nullptr)},
+              {"`rc_law_load`: a folder",
+               refused,
+               {"rc_law_load: .: cannot be read: it is a folder, give a file"},
+               [] {
+                 rc_law* law = nullptr;
+                 return rc_law_load(".", &law);
+               }},
               {"`rc_law_load`: an empty file", refused, {"errors.law: cannot be read, or is empty"}, loading("")},
               {"`rc_law_load`: another file",
                refused,

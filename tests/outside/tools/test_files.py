@@ -42,6 +42,7 @@ class Reading(CommandTest):
         for fields, lateral, vertical in (("XYUnits = m\nZUnits = m\n", 1, 1), ("XYUnits=um\nZUnits=nm\n", 1e-6, 1e-9),
                                           ("XYUnits = \u00b5m\nZUnits = \u03bcm\nTitle = M\u00fcnze\n", 1e-6, 1e-6), ("", 1, 1)):
             self.assert_reads(self.file("a.gsf", gsf(z, 3, 5, fields)), z * vertical, (3 * lateral, 5 * lateral))
+            self.assert_reads(self.file("a.gsf", gsf(z, 3, 5, fields + "ZOffset = 0.25\n")), (z + 0.25) * vertical, (3 * lateral, 5 * lateral))
         self.assert_reads(self.file("a.gsf", gsf(z, 3, 5)), z * 1e-6, (3e-6, 5e-6), "--unit", "um")
 
     def test_contents_go_before_the_extension(self):
@@ -87,6 +88,7 @@ class Reading(CommandTest):
             ("a.gsf", gsf(rough(6, 8), -1, 1), "XReal"),
             ("a.gsf", gsf(rough(6, 8), 1, 1, "ZUnits = V\n"), ["heights", '"V"']),
             ("a.gsf", gsf(rough(6, 8), 1, 1, "nonsense\n"), "nonsense"),
+            ("a.gsf", gsf(rough(6, 8), 1, 1, "ZOffset = inf\n"), ["ZOffset", "inf"]),
             ("a.gsf", b"Gwyddion Simple Field 1.0\nXRes = 1\nYRes = 1\n", "no end"),
             ("a.gsf", b"Gwyddion Simple Field 2.0\n", "first line"),
         ]

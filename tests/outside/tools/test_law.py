@@ -164,7 +164,7 @@ class Refusals(CommandTest):
                 ([*pressed, "--export", "calculix=a", "--rows", 500], "from 5 to 200"), ([*pressed, "--export", "csv=a", "--beyond", "0.5"], "--beyond"),
                 ([*pressed, "--export", "csv=a", "--conductivity", "0"], "--conductivity"), ([*pressed, "--export", "csv=a", "--deck-units", "mm"], "mm,N"),
                 ([*pressed, "--at", "3N"], "--at"), ([*pressed, "--law-units", "um,N"], "--law-units is for a law that is read"),
-                ([*pressed, "-o", "nowhere/a.law"], "its folder is missing"), ([*pressed, "-o", "folder"], "is no regular file"),
+                ([*pressed, "-o", "nowhere/a.law"], "its folder is missing"), ([*pressed, "-o", "folder"], "it is a folder"),
                 ([*pressed, "-o", name], "is read or written as another file as well"), ([*pressed, "-o", "a", "--json", "./a"], "as another file"),
                 (["law", "absent.law"], "absent.law"), (["law", "absent.npy", *law[2:], "--pressure", "1kPa..1MPa"], "absent.npy")):
             with self.subTest(arguments):

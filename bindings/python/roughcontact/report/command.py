@@ -1,11 +1,12 @@
 """python -m roughcontact report: arguments in, exit status out."""
 
+import os
 import pathlib
 import sys
 from typing import Sequence
 
 from .._errors import ArgumentError, Interrupted, RoughContactError
-from .._whole_file import whole_file
+from .._paths import shown, write_file
 from .content import collect
 from .page import missing_packages, page
 from .request import read_request
@@ -31,12 +32,13 @@ def report(arguments: Sequence[str]) -> int:
         raise ArgumentError(f"--out: the folder {str(out.parent)!r} does not exist")
     if out.is_dir():
         raise ArgumentError(f"--out: {request.out!r} is a folder, name the page")
+    if out.exists() and os.path.exists(request.file) and os.path.samefile(out, request.file):
+        raise ArgumentError(f"--out: {request.out!r} is the surface's file, name the page")
     content = collect(request)
     if content.assumed:
         print(f"roughcontact report: note: {content.assumed}", file=sys.stderr)
-    with whole_file(str(out)) as file:
-        file.write(page(content).encode())
-    print(f"{request.out}: {conclusion(content)}")
+    write_file(out, page(content).encode())
+    print(f"{shown(request.out)}: {conclusion(content)}")
     return CERTIFIED if content.certified else UNCERTIFIED
 
 

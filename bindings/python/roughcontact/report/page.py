@@ -7,6 +7,7 @@ import json
 import pathlib
 from typing import Any, Dict, Tuple
 
+from .._paths import shown
 from . import wording
 from .content import Content
 from .figures import figures_of
@@ -29,7 +30,7 @@ def page(content: Content) -> str:
     figures, plotly = figures_of(content)
     drawn = ",".join(f"{json.dumps(each.name)}:{each.figure.to_json()}" for each in figures)
     words: Dict[str, Any] = {
-        "name": pathlib.Path(content.request.file).name,
+        "name": shown(pathlib.Path(content.request.file).name),
         "facts": wording.facts(content),
         "conclusion": wording.conclusion(content),
         "certificate": wording.certificate(content),
@@ -42,7 +43,7 @@ def page(content: Content) -> str:
         "assumptions": wording.assumptions(content),
         "citation": wording.CITATION,
         "persson": wording.PERSSON if content.persson else None,
-        "command": content.request.command,
+        "command": shown(content.request.command),
         "version": content.version,
         "figures": {each.name: each for each in figures},
         "plotly": _packed(plotly),

@@ -1,0 +1,335 @@
+"""Every function that writes a file, on everything that a name can be of; and names of files that are not text."""
+
+import ast
+import inspect
+import os
+import pathlib
+import socket
+import stat
+import subprocess
+import sys
+import tempfile
+import threading
+import warnings
+
+import numpy as np
+import pytest
+
+import roughcontact as rc
+from conftest import refused
+from roughcontact import _paths
+from roughcontact.report import command, page
+
+READS = {"read", "load", "Law.load"}  # public functions of a path or file that write none
+NOBODY = 65534
+ODD = os.fsdecode(b"m\xfcll \xff'")  # bytes that are not text
+
+
+@pytest.fixture(scope="module")
+def rough_surface():
+    return rc.surface.spectral((32, 32), pitch=1e-6, rms_height=5e-8, hurst=0.8, seed=3)
+
+
+@pytest.fixture(scope="module")
+def doors(rough_surface):
+    """Calls that write to a path, by the function's public name and the path's ending."""
+    steel = {"modulus": 1e9, "boundary": "periodic"}
+    pressed = rc.solve(rough_surface, load=1e-5, **steel)
+    path = rc.history(rough_surface, load=[1e-5, 2e-5], **steel)
+    batch = rc.batch([rough_surface, rough_surface], load=[1e-5], **steel)
+    law = rc.law(rough_surface, pressure=(1e3, 1e6), tolerance=0.1, **steel)
+    return {
+        **{("Surface.save", suffix): rough_surface.save for suffix in (".gsf", ".nc", ".npy")},
+        ("Result.save", ".npz"): pressed.save,
+        ("HistoryResult.save", ".npz"): path.save,
+        ("BatchResult.save", ".npz"): batch.save,
+        ("Law.save", ".law"): law.save,
+        ("Law.export", ".csv"): lambda path: law.export(path, "csv"),
+        ("Law.export", ".inp"): lambda path: law.export(path, "moose"),
+        ("raw", ""): lambda path: _paths.write_file(path, b"these bytes"),
+    }
+
+
+def state(folder):
+    def of(path):
+        kind = path.lstat().st_mode
+        return kind, os.readlink(path) if stat.S_ISLNK(kind) else path.read_bytes() if stat.S_ISREG(kind) else b""
+
+    return {path.name: of(path) for path in folder.iterdir()}
+
+
+def each(doors, tmp_path):
+    for (name, suffix), write in doors.items():
+        folder = tmp_path / f"{name}{suffix}"
+        folder.mkdir()
+        yield write, folder / ("a" + suffix)
+
+
+def refuses(write, path, words):
+    folder = path.parent if path.parent.exists() else path.parent.parent
+    before = state(folder)
+    with pytest.raises((OSError, rc.ArgumentError), match=words):
+        write(path)
+    assert state(folder) == before
+
+
+def test_every_public_function_of_a_path_has_a_row(doors):
+    found = set()
+    for name, thing in vars(rc).items():
+        members = {name: thing} if inspect.isfunction(thing) else {}
+        if inspect.isclass(thing):
+            members = {f"{name}.{each}": value for each, value in inspect.getmembers(thing) if not each.startswith("_")}
+        for full, value in members.items():
+            if (inspect.isfunction(value) or inspect.ismethod(value)) and not name.startswith("_"):
+                if {"path", "file", "out", "filename"} & set(inspect.signature(value).parameters):
+                    found.add(full)
+    assert found == READS | {name for name, _ in doors} - {"raw"}
+
+
+def test_no_module_opens_a_file_to_write():
+    for file in pathlib.Path(rc.__file__).parent.rglob("*.py"):
+        for call in (node for node in ast.walk(ast.parse(file.read_text())) if isinstance(node, ast.Call)):
+            name = getattr(call.func, "attr", getattr(call.func, "id", ""))
+            texts = [
+                str(each.value)
+                for each in [*call.args, *(word.value for word in call.keywords)]
+                if isinstance(each, ast.Constant)
+            ]
+            opens = name in ("open", "fdopen") and any(
+                set(text) <= set("rwxab+t") and set(text) & set("wxa+") for text in texts
+            )
+            assert not opens and name not in (
+                "write_text",
+                "write_bytes",
+                "savefig",
+                "to_netcdf",
+                "tofile",
+            ), f"{file}:{call.lineno}"
+
+
+def test_new_and_old_files(doors, tmp_path):
+    for write, path in each(doors, tmp_path):
+        write(path)
+        new, mode = path.read_bytes(), os.umask(0o022)
+        os.umask(mode)
+        assert len(new) > 10 and stat.S_IMODE(path.stat().st_mode) == 0o666 & ~mode
+        path.write_text("old")
+        path.chmod(0o640)
+        write(str(path))
+        assert len(path.read_bytes()) == len(new) and stat.S_IMODE(path.stat().st_mode) == 0o640
+        write(os.fsencode(path))
+        assert list(state(path.parent)) == [path.name]
+
+
+def test_links_stay(doors, tmp_path):
+    for write, path in each(doors, tmp_path):
+        (path.parent / "second").symlink_to("target")
+        for old in (True, False):
+            path.symlink_to("second")
+            if old:
+                (path.parent / "target").write_text("old")
+            write(path)
+            assert path.is_symlink() and (path.parent / "second").is_symlink()
+            assert len((path.parent / "target").read_bytes()) > 10
+            (path.parent / "target").unlink()
+            path.unlink()
+        path.symlink_to(path.name)
+        refuses(write, path, "symbolic links")
+
+
+def test_what_is_no_regular_file(doors, tmp_path, monkeypatch):
+    for write, path in each(doors, tmp_path):
+        path.mkdir()
+        refuses(write, path, "folder")
+        path.rmdir()
+        monkeypatch.chdir(path.parent)
+        with socket.socket(socket.AF_UNIX) as server:
+            server.bind(path.name)  # its whole path may be too long
+            refuses(write, path, "socket")
+        path.unlink()
+        path.symlink_to("/dev/full")
+        refuses(write, path, "No space left")
+        path.unlink()
+        os.mkfifo(path)
+        refuses(write, path, "nobody reads")
+        reader, got = os.open(path, os.O_RDONLY | os.O_NONBLOCK), []
+        os.set_blocking(reader, True)
+        holder = os.open(path, os.O_WRONLY)  # until then the reader would find the end
+        thread = threading.Thread(target=lambda: got.extend(iter(lambda: os.read(reader, 4096), b"")))
+        thread.start()
+        before = state(path.parent)
+        write(path)
+        os.close(holder)
+        thread.join()
+        os.close(reader)
+        assert len(b"".join(got)) > 10 and state(path.parent) == before
+        path.unlink()
+
+
+def test_devices_are_written_to(doors, tmp_path):
+    for write, path in each(doors, tmp_path):
+        try:
+            os.mknod(path, 0o666 | stat.S_IFCHR, os.makedev(1, 3))
+            os.close(os.open(path, os.O_WRONLY))
+        except OSError:
+            pytest.skip("no device of one's own")
+        before = state(path.parent)
+        write(path)
+        assert state(path.parent) == before
+
+
+def test_no_permission_and_no_folder(doors):
+    with tempfile.TemporaryDirectory() as folder:  # pytest's are their user's own
+        pathlib.Path(folder).chmod(0o755)
+        refuse_without_permission(doors, pathlib.Path(folder))
+
+
+def refuse_without_permission(doors, folder):
+    for write, path in each(doors, folder):
+        refuses(write, path.parent / "absent" / path.name, "folder is missing")
+        path.write_text("old")
+        path.chmod(0o444)
+        path.parent.chmod(0o555)
+        user = os.geteuid()
+        if user == 0:
+            os.seteuid(NOBODY)
+        try:
+            refuses(write, path, "Permission denied")
+        finally:
+            os.seteuid(user)
+        path.parent.chmod(0o755)
+
+
+def test_a_limit_of_file_sizes_ends_no_host(tmp_path):
+    (tmp_path / "a.npy").write_text("old")
+    script = """if 1:
+        import resource, signal, roughcontact as rc
+        resource.setrlimit(resource.RLIMIT_FSIZE, (64, 64))
+        signal.signal(signal.SIGXFSZ, signal.SIG_DFL)
+        try:
+            rc.Surface([[1.0, 2.0]] * 99, 1.0).save('a.npy')
+        except OSError as error:
+            print(error)"""
+    done = subprocess.run([sys.executable, "-c", script], cwd=tmp_path, capture_output=True, text=True)
+    assert done.returncode == 0 and "File too large" in done.stdout, done.stderr
+    assert list(state(tmp_path)) == ["a.npy"] and (tmp_path / "a.npy").read_text() == "old"
+
+
+def test_a_reader_that_goes_ends_no_host(tmp_path):
+    os.mkfifo(tmp_path / "a.npy")
+    script = """if 1:
+        import os, signal, roughcontact as rc
+        signal.signal(signal.SIGPIPE, signal.SIG_DFL)
+        reader = os.open('a.npy', os.O_RDONLY | os.O_NONBLOCK)
+        import threading, time
+        threading.Thread(target=lambda: (time.sleep(0.2), os.close(reader))).start()
+        try:
+            rc.Surface([[1.0, 2.0]] * 99999, 1.0).save('a.npy')
+        except OSError as error:
+            print(error)"""
+    done = subprocess.run([sys.executable, "-c", script], cwd=tmp_path, capture_output=True, text=True, timeout=60)
+    assert done.returncode == 0 and "Broken pipe" in done.stdout, (done.returncode, done.stderr)
+
+
+def test_exceptions_are_pythons(tmp_path, rough_surface):
+    refused(FileNotFoundError, "absent", rough_surface.save, tmp_path / "absent" / "a.gsf")
+    (tmp_path / "a.gsf").mkdir()
+    refused(IsADirectoryError, "a.gsf", rough_surface.save, tmp_path / "a.gsf")
+
+
+def test_names_that_are_not_text(doors, tmp_path, rough_surface):
+    class Named:
+        def __init__(self, name):
+            self.name = name
+
+        def __fspath__(self):
+            return self.name
+
+    for (name, suffix), write in doors.items():
+        path = tmp_path / (ODD + suffix)
+        for form in (str(path), path, os.fsencode(path), Named(os.fsencode(path))):
+            write(form)
+            assert path.exists()
+            if name == "Surface.save":
+                assert rc.read(str(path), **({"pitch": 1e-6} if suffix == ".npy" else {})).shape == (32, 32)
+                if not isinstance(form, bytes):  # which are the contents of a file
+                    assert rc.read(form, **({"pitch": 1e-6} if suffix == ".npy" else {})).shape == (32, 32)
+            if name.endswith("Result.save"):
+                assert repr(rc.load(form))
+            if name == "Law.save":
+                assert rc.Law.load(form).info["nodes"] > 1
+            path.unlink()
+        write_nowhere = tmp_path / ODD / ("a" + suffix)
+        with pytest.raises((OSError, rc.ArgumentError)) as caught:
+            write(write_nowhere)
+        assert str(caught.value).encode(errors="backslashreplace")
+    rough_surface.save(tmp_path / (ODD + ".gsf"))
+    with open(os.fsencode(tmp_path / (ODD + ".gsf")), "rb") as file:
+        assert rc.read(file).shape == (32, 32)
+    assert rc.solve(str(tmp_path / (ODD + ".gsf")), modulus=1e9, boundary="periodic", load=1e-5).status.name == "OK"
+    refused(FileNotFoundError, "", rc.read, str(tmp_path / ODD))
+    for call in (rc.Law.load, rc.load, rc.read):
+        for damaged in (str(tmp_path / (ODD + ".x")), tmp_path / (ODD + ".x")):
+            (tmp_path / (ODD + ".x")).write_text("nonsense")
+            with pytest.raises((OSError, ValueError)):
+                call(damaged)
+    for folders in (str(tmp_path / ODD), tmp_path / ODD, os.fsencode(tmp_path / ODD), [str(tmp_path / ODD), tmp_path]):
+        rc.Context(folders)
+    refused(rc.ArgumentError, "NUL", rc.Law.load, "a\0b")
+
+
+def test_the_page_of_a_report(tmp_path, rough_surface, monkeypatch, capsys):
+    """Its writing; what is on it needs more packages."""
+    monkeypatch.setattr(command, "missing_packages", lambda: ())
+    monkeypatch.setattr(
+        command, "page", lambda content: f"<p>{page.shown(content.request.file)} {page.shown(content.request.command)}</p>"
+    )
+    file = str(tmp_path / (ODD + ".gsf"))
+    rough_surface.save(file)
+    asked = ["report", file, "--modulus", "1GPa", "--boundary", "periodic", "--load", "1uN", "--out"]
+    (tmp_path / "link").symlink_to(ODD + ".html")
+    assert command.main([*asked, str(tmp_path / "link")]) == 0
+    assert (tmp_path / "link").is_symlink() and "m\ufffdll" in (tmp_path / (ODD + ".html")).read_text("utf-8")
+    assert command.main([*asked, str(tmp_path / (ODD + ".html"))]) == 0
+    before = state(tmp_path)
+    (tmp_path / "full").symlink_to("/dev/full")
+    os.mkfifo(tmp_path / "pipe")
+    for out, words in (
+        (file, "name the page"),
+        ("full", "No space left"),
+        ("pipe", "nobody reads"),
+        ("absent/a", "does not exist"),
+    ):
+        capsys.readouterr()
+        assert command.main([*asked, str(tmp_path / out)]) == 1
+        assert words in capsys.readouterr().err
+    (tmp_path / "full").unlink()
+    (tmp_path / "pipe").unlink()
+    assert state(tmp_path) == before
+
+
+@pytest.mark.parametrize("offset", [0.0, 1e-3, 1.0, -6371e3])
+def test_single_precision_keeps_the_roughness(tmp_path, rough_surface, offset):
+    heights = np.round(rough_surface.heights * 2**40) / 2**40 if offset < -1 else rough_surface.heights
+    heights = np.where(heights > 1e-7, np.nan, heights) + offset
+    for unit in ("m", "um", None):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            rc.Surface(heights, 1e-6, unit=unit).save(tmp_path / "a.gsf")
+        found = rc.read(tmp_path / "a.gsf", unit=None if unit else "m").heights
+        wrong = np.nanmax(np.abs(found / {"um": 1e-6}.get(unit, 1) - heights))
+        assert wrong < 1e-4 * np.nanstd(heights) + 2 * np.spacing(abs(offset)), (unit, wrong)
+        assert np.array_equal(np.isnan(found), np.isnan(heights))
+    if offset == 0:
+        assert b"ZOffset" not in (tmp_path / "a.gsf").read_bytes()
+
+
+def test_roughness_that_single_precision_loses_is_told(tmp_path, rough_surface):
+    y, x = np.mgrid[:32, :32]
+    with pytest.warns(UserWarning, match="single precision.* of their roughness"):
+        rc.Surface(rough_surface.heights + x * 1e-3, 1e-6, unit="m").save(tmp_path / "a.gsf")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for smooth in (x * 1e-3, x * 0.0, x * 0.0 + 7.3, x * 1e-3 + y + 5.0, np.full((2, 3), np.nan), [[1.0, 1.0 + 1e-9]]):
+            rc.Surface(smooth, 1e-6, unit="m").save(tmp_path / "a.gsf")
+            np.testing.assert_allclose(rc.read(tmp_path / "a.gsf").heights, smooth, rtol=1e-6)
