@@ -77,7 +77,7 @@ void result_is_written_in_full(std::int32_t boundary, const Pair& pair) {
     const rc_result &a = results[0], &b = results[1];
     check(std::memcmp(&a, &b, offsetof(rc_result, solver)) == 0, "a number of the result is not written");
     check_equal(a.status, RC_OK, "status");
-    check_equal(a.reserved, 0, "reserved");
+    check_equal(a.homogeneous, 1, "homogeneous");
     check(std::string(a.solver) == b.solver && std::string(a.backend) == b.backend && std::string(a.kernel) == b.kernel &&
               std::string(a.note) == b.note,
           "a text of the result is not written");
