@@ -15,8 +15,6 @@ namespace device::many {
 using rc_cuda::Fault, rc_cuda::host_faults;
 
 constexpr double tol = 1e-8;
-constexpr std::int64_t few_calls = 150;  // of the layer below; a contact by itself makes hundreds
-
 // Contacts on one grid, each with a surface and a history of its own.
 struct Scene {
   rc_system system = grid_of(24);
@@ -27,6 +25,8 @@ struct Scene {
   std::vector<std::uint8_t> masks;
 
   std::size_t points() const { return static_cast<std::size_t>(system.nx * system.ny); }
+  // Of the layer below, for all contacts together, each of which is checked; a step of a contact by itself makes hundreds.
+  std::int64_t few_calls() const { return 150 * steps; }
 };
 
 inline Scene scene_of(std::int64_t nx, std::int64_t ny, std::int32_t boundary, std::int32_t control, std::int64_t steps = 1) {

@@ -89,7 +89,7 @@ void expect_as_one_at_a_time(const Scene& s, const char* name) {
               static_cast<long long>(products[0]), static_cast<long long>(products[1]), static_cast<long long>(many.calls),
               static_cast<long long>(one.calls));
   assert_int_equal(many.certified, s.n);
-  assert_true(many.calls < few_calls && one.calls > few_calls);
+  assert_true(many.calls < s.few_calls() && one.calls > s.few_calls());
   expect_near(many.load, one.load, 1e-5 * most_of(one.load), "load");
   expect_near(many.approach, one.approach, 1e-6 * (1 + most_of(one.approach)), "approach");
   expect_near(many.p, one.p, 1e-4 * most_of(one.p), "p");
@@ -194,7 +194,7 @@ void options_of_the_solver_hold(void**) {
   assert_int_equal(rc_options_set_text(options, "haar-cg.products", "double"), RC_OK);
   const Found found = solved(s, context);
   assert_int_equal(found.status, RC_OK);
-  assert_true(found.calls < few_calls);
+  assert_true(found.calls < s.few_calls());
   expect_near(found.p, one_at_a_time(s, context).p, 1e-5, "p");
   assert_int_equal(rc_options_set_int(options, RC_OPT_MAX_ITER, 3), RC_OK);
   const Found stopped = solved(s, context);
@@ -211,20 +211,20 @@ void what_asks_for_more_is_solved_one_at_a_time(void**) {
       std::vector<double> values(static_cast<std::size_t>(s.n));
       const Found found = solved(s, context, 1, [&](rc_batch& b) { b.*output = values.data(); });
       assert_int_equal(found.status, RC_OK);
-      assert_true(found.calls > few_calls && values[0] > 0);
+      assert_true(found.calls > s.few_calls() && values[0] > 0);
     }
   }
   {
     Contact context;
     context.use("haar-cuda-host", "dense");
-    assert_true(solved(s, context).calls > few_calls);
+    assert_true(solved(s, context).calls > s.few_calls());
   }
   {
     Scene prime = scene_of(17, 24, RC_BOUNDARY_PERIODIC, RC_CONTROL_LOAD);
     const Contact context;
     const Found found = solved(prime, context);
     assert_int_equal(found.status, RC_OK);
-    assert_true(found.calls > few_calls);
+    assert_true(found.calls > s.few_calls());
   }
 }
 
@@ -256,7 +256,7 @@ void auto_takes_many_by_what_each_costs(void**) {
   context.use("auto", "auto");
   const Found found = solved(s, context);
   assert_int_equal(found.status, RC_OK);
-  assert_true(found.calls > 0 && found.calls < few_calls);
+  assert_true(found.calls > 0 && found.calls < s.few_calls());
 }
 
 void pressures_to_start_from(void**) {
@@ -295,7 +295,7 @@ void strides_and_shared_arrays(void**) {
               }));
   const Found shared = solved(s, context, 1, [&](rc_batch& b) { b.undeformed_gap_stride = RC_BATCH_SHARED; });
   assert_int_equal(shared.status, RC_OK);
-  assert_true(shared.calls < few_calls);
+  assert_true(shared.calls < s.few_calls());
   assert_true(shared.load[0] == plain.load[0] && shared.approach[1] == plain.approach[1]);
 }
 

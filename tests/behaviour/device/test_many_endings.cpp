@@ -102,7 +102,7 @@ void progress_hears_of_parts(void**) {
   const Found parts = solved(s, little, 1, [&](rc_batch& b) { with_progress(b, of_parts); });
   expect_same(plain, all);
   expect_same(plain, parts);
-  assert_true(all.calls == plain.calls && all.calls < few_calls);
+  assert_true(all.calls == plain.calls && all.calls < s.few_calls());
   assert_true(of_all.ended == std::vector<std::int64_t>{2 * s.n});
   const std::vector<std::int64_t>& ended = of_parts.ended;
   assert_true(ended.size() > 1 && std::is_sorted(ended.begin(), ended.end()) && ended.back() == 2 * s.n);
