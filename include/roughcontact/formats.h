@@ -8,9 +8,10 @@
  * are thread-safe, keep nothing and print nothing. What they write to is written only if RC_OK is returned. Sized structs: see
  * roughcontact.h. The memory for a file is limited by its size, not by its header.
  *
- * In builds that read HDF5, calls on such files use libhdf5 one at a time. Its handler of errors and H5PLset_loading_state are as before
- * when a call returns; meanwhile it prints nothing and loads no plugin, in no thread. If libhdf5 is not built for threads
- * (H5is_library_threadsafe), no other thread may call it meanwhile. After some damaged files it prints a line when the process ends.
+ * In builds that read HDF5, calls on such files use libhdf5 one at a time. Its handler of errors and H5PLset_loading_state are as
+ * before when a call returns; meanwhile it prints nothing and loads no plugin, in no thread. If libhdf5 is not built for threads
+ * (H5is_library_threadsafe), no other thread may call it meanwhile. After some damaged files it prints a line when the process
+ * ends.
  */
 #ifndef ROUGHCONTACT_FORMATS_H
 #define ROUGHCONTACT_FORMATS_H
