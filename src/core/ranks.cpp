@@ -97,7 +97,7 @@ Ranks Ranks::halved() const {
 void Ranks::failed(rc_status status, const char* message) const noexcept {
   if (link_->failed != RC_OK || status == RC_OK) return;
   link_->failed = status;
-  std::snprintf(link_->message, sizeof link_->message, "%s", message);
+  std::snprintf(link_->message, sizeof link_->message, "%.*s", static_cast<int>(sizeof link_->message - 1), message);
 }
 
 std::int64_t Ranks::sent_to_others(const std::int64_t* sent) const {

@@ -134,7 +134,7 @@ def test_systems_press_what_is_prepared(two):
 @pytest.mark.parametrize("text", ["sphere:R=50um", "cylinder:R=50um,axis=x", "wedge:angle=1deg,axis=y"])
 def test_a_contact_wider_than_the_map_is_told(text):
     flat = rc.Surface(np.zeros((SIDE, SIDE)), (1e-6, 1e-6), unit="m")
-    body = rc._preparation.body_of(text, "m")
+    body = rc._preparation.body_of(text, flat, None, "m")
     side = SIDE * 1e-6
     fits = next(load for load in np.geomspace(1e3, 1e-9, 200) if body.width(load, 1e9, side) < 0.5 * side)
     too_much = next(load for load in np.geomspace(1e-9, 1e6, 200) if body.width(load, 1e9, side) > 2 * side)
