@@ -26,7 +26,7 @@ std::optional<double> value_of(std::string_view field) {
   return value || !is_missing_mark(field) ? value : missing_height;
 }
 
-// What stands between the first two fields.
+// The separator between the first two fields.
 char separator_of(const std::vector<std::string_view>& fields) {
   if (fields.size() < 2) return ' ';
   for (const char separator : {';', '\t', ','})

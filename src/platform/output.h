@@ -17,7 +17,7 @@ namespace rc_platform {
 // What stands at a path, for messages: "a folder", "a pipe"; "" for a regular file and for nothing.
 std::string_view special_kind(std::filesystem::file_type type);
 
-// What an output of this name writes to. Nothing is opened or changed.
+// The kind of file that an output of this name writes to. Nothing is opened or changed.
 struct Target {
   std::filesystem::path file;  // the end of the links
   int descriptor = -1;         // the open stream of this process that the path names; -1: none

@@ -17,7 +17,7 @@ std::string library_version() {
   return format("%d.%d.%d", major, minor, patch);
 }
 
-// What contact_crosses and gap_crosses mean by x and y.
+// The meaning of x and y in contact_crosses and gap_crosses.
 std::string crossing_of(std::int32_t boundary) {
   const bool x = boundary == RC_BOUNDARY_PERIODIC || boundary == RC_BOUNDARY_PERIODIC_X,
              y = boundary == RC_BOUNDARY_PERIODIC || boundary == RC_BOUNDARY_PERIODIC_Y;

@@ -123,7 +123,7 @@ def surface_and_doubt(
     try:
         check_formats(status)
     except ArgumentError as error:
-        # What another package reads is no file that is refused here: its readers may follow what a file names.
+        # A file that is refused here is not handed to another package: its readers may follow names in the file.
         text = str(error).replace(name, "") if name else str(error)
         unknown = "unknown format" in text or PACKAGE in text
         if not unknown and (format is None or format in {each.name for each in formats()}):

@@ -47,7 +47,7 @@ std::string note_of(const GridProblem& problem, const Numbers& numbers, double c
   return note_from(all, sizeof rc_result::note - 1);
 }
 
-// What the solves for the stiffness ask before each product. A time limit does not end them.
+// Asked before each product of a solve for the stiffness. A time limit does not end that solve.
 rc_status cancelled(const GridProblem& problem, const Attempt& attempt) {
   return problem.company().stop().value_or(attempt.monitor.cancelled() ? RC_STOP_CANCELLED : RC_OK);
 }

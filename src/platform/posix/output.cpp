@@ -65,7 +65,7 @@ QuietWrites::QuietWrites() {
   }
 }
 
-// What has arrived is taken.
+// Takes the bytes that have arrived.
 QuietWrites::~QuietWrites() {
   const int error = errno;
   for (int k = 0; k < 2; ++k) {

@@ -1,4 +1,4 @@
-// What a law evaluates to, and what is refused.
+// Values of a law, and refused input.
 #include <algorithm>
 #include <cmath>
 #include <limits>

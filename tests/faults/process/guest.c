@@ -66,7 +66,7 @@ static int32_t multiply(const double* x, double* y, int64_t size, void* user) {
   return 0;
 }
 
-/* What a function of the host's does that sees progress. */
+/* Actions of the host's progress function. */
 static int32_t host(void) {
   if (products < 3 || !pthread_equal(pthread_self(), caller)) return 0;
   if (means == EXIT_IN_FUNCTION) pthread_exit(PTHREAD_CANCELED);

@@ -40,7 +40,7 @@ FORMS = [form for (command, _), forms in ROWS.items() for form in forms[: None i
 
 
 def nobody(limit=None):
-    """For preexec_fn: a user who owns nothing, with files of so many bytes at most."""
+    """For preexec_fn: a user who owns nothing, whose files have at most this many bytes."""
     if limit is not None:
         resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
         signal.signal(signal.SIGXFSZ, signal.SIG_DFL)
