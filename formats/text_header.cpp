@@ -225,7 +225,9 @@ bool TextHeader::read_line(std::string_view line) {
   const auto [key, unit] = pair ? key_of(pair->key) : std::pair<const Key*, std::string_view>{nullptr, ""};
   const bool takes_number = key && (key->number || key->counts());
   // Without a separator a value must look like one: "Unit 7" is a title.
-  const auto fits = [&] { return key->role == Role::no_data ? field_number(pair->value) : metres_per(bare_name(pair->value)); };
+  const auto fits = [&pair, role = key ? key->role : Role::no_data] {
+    return role == Role::no_data ? field_number(pair->value) : metres_per(bare_name(pair->value));
+  };
   const bool has_value = takes_number ? begins_with_digit(pair->value) : key && (!blank || fits());
   if (!has_value) {
     if (listing) read_words(line);

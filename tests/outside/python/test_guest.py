@@ -111,6 +111,7 @@ def raising(*_):
 
 ENDINGS = {
     "signals": """
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell's background ignores it
 begin(lambda: os.kill(os.getpid(), signal.SIGINT))
 assert isinstance(ended(KeyboardInterrupt), rc.Interrupted) or not in_product
 
