@@ -10,14 +10,9 @@
 
 namespace rc {
 
-namespace {
-
-constexpr double shifted_progress = 0.8;  // the residual's sum of squares falls where it is below this share of the mark
-constexpr int shifted_patience = 38;      // iterations without such a fall
-
-}  // namespace
-
 rc_status Operator::shifted(double rho, double tol, const double* b, double* x) {
+  constexpr double progress = 0.8;  // the residual's sum of squares falls where it is below this share of the mark
+  constexpr int patience = 38;      // iterations without such a fall
   const auto n = static_cast<std::size_t>(trial_.n);
   if (backend_.shifted) {
     // H = B / scale, so B + (scale rho) I is solved for scale b.
@@ -34,7 +29,7 @@ rc_status Operator::shifted(double rho, double tol, const double* b, double* x) 
   if (const rc_status status = multiply(x, r); status != RC_OK) return status;
   for (std::size_t i = 0; i < n; ++i) r[i] = b[i] - r[i];
   const double least = tol * tol * sum_in_order(n, [&](std::size_t i) { return b[i] * b[i]; });
-  Stall stalls = Stall::from(sum_in_order(n, [&](std::size_t i) { return r[i] * r[i]; }), shifted_progress, shifted_patience);
+  Stall stalls = Stall::from(sum_in_order(n, [&](std::size_t i) { return r[i] * r[i]; }), progress, patience);
   const ConjugateGradientsEnd end = conjugate_gradients(
       {x, n}, r, no_unit, sum_in_order,
       [&](const std::vector<double>& t, std::vector<double>& q) { return multiply(t.data(), q); },

@@ -10,16 +10,11 @@
 
 namespace rc {
 
-namespace {
-
-constexpr double subset_attained = 1e-15;  // least relative residual that products in double precision can reach
-constexpr double subset_progress = 0.9;    // the residual falls where it is below this share of the least one before
-constexpr int subset_patience = 39;        // iterations without such a fall
-constexpr double acceptable = 1e-11;       // above this, stopping early is a failure
-
-}  // namespace
-
 rc_status Operator::subset_by_products(std::span<const std::int64_t> a, const double* b, double* x, double tol) {
+  constexpr double attained = 1e-15;    // least relative residual that products in double precision can reach
+  constexpr double progress = 0.9;      // the residual falls where it is below this share of the least one before
+  constexpr int patience = 39;          // iterations without such a fall
+  constexpr double acceptable = 1e-11;  // above this, stopping early is a failure
   const std::size_t m = a.size(), n = static_cast<std::size_t>(trial_.n);
   std::vector<double> spread(n, 0.0), product(n), r(b, b + m), best(m, 0.0);
   const auto multiply = [&](const double* v, std::vector<double>& q) {
@@ -52,14 +47,14 @@ rc_status Operator::subset_by_products(std::span<const std::int64_t> a, const do
 
   double least = size_r();
   std::copy(x, x + m, best.begin());
-  Stall stalls(subset_progress, subset_patience, Stall::Mark::least);
+  Stall stalls(progress, patience, Stall::Mark::least);
   const auto enough = [&](int, double rr) {
     const double size = size_r();
     if (size < least) {
       least = size;
       std::copy(x, x + m, best.begin());
     }
-    return stalls(size) || least <= std::max(tol, subset_attained) || rr == 0;
+    return stalls(size) || least <= std::max(tol, attained) || rr == 0;
   };
   const ConjugateGradientsEnd end = conjugate_gradients(
       {x, m}, r, size_b, sum_in_order,

@@ -17,16 +17,16 @@
 #include "solvers/residual.h"
 #include "solvers/solver.h"
 
-namespace rc {
+namespace rc::admm {
 
 namespace {
 
-constexpr double admm_progress = 0.9;              // the residual falls when it is below this share of its value at the last fall
-constexpr std::int64_t admm_patience = 1000;       // iterations without such a fall, after which the solver has stalled
+constexpr double progress = 0.9;                   // the residual falls when it is below this share of its value at the last fall
+constexpr std::int64_t patience = 1000;            // iterations without such a fall, after which the solver has stalled
 constexpr std::int64_t first_balance = 10;         // iteration; each later balance at twice the last, so that factors are reused
 constexpr double imbalance = 2.5;                  // least factor by which rho changes
 constexpr double floor_of_smallest = 1e-6;         // the smallest eigenvalue is taken as at least this share of the largest
-constexpr double admm_accuracy = 0.05;             // tolerance of a linear solve, relative to the present residual
+constexpr double accuracy = 0.05;                  // tolerance of a linear solve, relative to the present residual
 constexpr double finest = 1e-15, coarsest = 1e-3;  // limits of that tolerance
 
 class Alternation {
@@ -49,7 +49,7 @@ class Alternation {
       v_[i] = -(p_[i] < problem_.cap() ? std::max(0.0, gap) : std::min(0.0, gap)) / rho_;
     }
 
-    Stall stalls(admm_progress, admm_patience);
+    Stall stalls(progress, patience);
     std::int64_t balance_at = first_balance;
     for (std::int64_t iteration = 0;; ++iteration) {
       d_ = residual.approach;
@@ -114,7 +114,7 @@ class Alternation {
     }
     double tol = coarsest;
     if (std::isfinite(residual.worst) && size > 0)
-      tol = std::clamp(admm_accuracy * residual.worst * residual.scale / std::sqrt(size), finest, coarsest);
+      tol = std::clamp(accuracy * residual.worst * residual.scale / std::sqrt(size), finest, coarsest);
     problem_.shifted(rho_, tol, right_, x_);
     if (!problem_.load_control()) return;
     // A change of the approach adds a multiple of (H + rho I)^-1 1 to x.
@@ -157,12 +157,12 @@ class Alternation {
 constexpr rc_option_spec relaxation = real_option("admm.relaxation", "1.7", 1, 1.95, "over-relaxation; 1: none");
 constexpr rc_option_spec rho = real_option(
     "admm.rho", "0", 0, 1e12, "penalty, relative to the contact modulus and the cell size; 0: from the eigenvalues of H");
-const rc_option_spec* const admm_specs[] = {&relaxation, &rho};
+const rc_option_spec* const specs[] = {&relaxation, &rho};
 
 }  // namespace
 
-const Options admm_options = listed(admm_specs);
+const Options options = listed(specs);
 
-rc_status admm(const Problem& problem, Vector& p, double& d) { return Alternation(problem, p, d).run(); }
+rc_status solve(const Problem& problem, Vector& p, double& d) { return Alternation(problem, p, d).run(); }
 
-}  // namespace rc
+}  // namespace rc::admm

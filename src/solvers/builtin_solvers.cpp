@@ -34,22 +34,22 @@ const char license[] = "BSD-3-Clause";
 
 // Built at the first query, because the options of other files are not constant expressions here.
 const rc_plugin& plugin() {
-#define RC_SOLVER(function, solver, text, operations, controlled, scored)               \
-  static const rc_solver function##_entry = {.struct_size = sizeof(rc_solver),          \
-                                             .name = solver,                            \
-                                             .summary = text,                           \
-                                             .license = license,                        \
-                                             .needs = operations | RC_READS_SINGLE_GAP, \
-                                             .controls = controlled,                    \
-                                             .n_options = function##_options.count,     \
-                                             .options = function##_options.specs,       \
-                                             .solve = solve<function>,                  \
-                                             .score = scored};
+#define RC_SOLVER(space, solver, text, operations, controlled, scored)               \
+  static const rc_solver space##_entry = {.struct_size = sizeof(rc_solver),          \
+                                          .name = solver,                            \
+                                          .summary = text,                           \
+                                          .license = license,                        \
+                                          .needs = operations | RC_READS_SINGLE_GAP, \
+                                          .controls = controlled,                    \
+                                          .n_options = space::options.count,         \
+                                          .options = space::options.specs,           \
+                                          .solve = solve<space::solve>,              \
+                                          .score = scored};
 #define RC_SOLVER_IN_PLACE RC_SOLVER
 #include "solvers/solvers.def"
 #undef RC_SOLVER
   static const rc_solver* const entries[] = {
-#define RC_SOLVER(function, solver, text, operations, controlled, scored) &function##_entry,
+#define RC_SOLVER(space, solver, text, operations, controlled, scored) &space##_entry,
 #include "solvers/solvers.def"
 #undef RC_SOLVER
 #undef RC_SOLVER_IN_PLACE

@@ -19,17 +19,16 @@
 #include "grid/downsample.h"
 #include "solvers/solver.h"
 
-namespace rc {
+namespace rc::cmr {
 
 namespace {
 
-constexpr std::int64_t cmr_coarsest_side =
-    16;                                // fewest points a side on the coarsest grid of an automatic cascade, as in the paper
-constexpr int most_added_rounds = 20;  // of adding points; each adds at least one
+constexpr std::int64_t coarsest_side = 16;  // fewest points a side on the coarsest grid of an automatic cascade, as in the paper
+constexpr int most_added_rounds = 20;       // of adding points; each adds at least one
 constexpr std::int64_t most_levels = 30;
 
 // Selection by gaps: points along the side of a tile; a gap below this share of the surface's roughness is nearly closed.
-constexpr std::int64_t cmr_tile = 16;
+constexpr std::int64_t tile = 16;
 constexpr double nearly_closed = 0.01;
 
 using Mask = std::vector<std::uint8_t>;
@@ -68,7 +67,7 @@ class Cascade {
     GapValues gap = problem_.gap();
     std::span<const std::uint8_t> mask = problem_.mask();
     for (std::int64_t finer = 1; finer < (wanted > 0 ? wanted : most_levels); ++finer) {
-      if (std::max(nx, ny) < 2 || (wanted == 0 && std::min(nx, ny) < 2 * cmr_coarsest_side)) break;
+      if (std::max(nx, ny) < 2 || (wanted == 0 && std::min(nx, ny) < 2 * coarsest_side)) break;
       levels_.push_back(downsample(nx, ny, gap, mask, filter_));
       nx = levels_.back().nx;
       ny = levels_.back().ny;
@@ -135,11 +134,11 @@ class Cascade {
     if (!any) return {};
     problem_.apply(p, w);
     const double limit = nearly_closed * roughness() / problem_.length_unit();
-    const std::int64_t columns = (grid_.nx + cmr_tile - 1) / cmr_tile, rows = (grid_.ny + cmr_tile - 1) / cmr_tile;
+    const std::int64_t columns = (grid_.nx + tile - 1) / tile, rows = (grid_.ny + tile - 1) / tile;
     Mask active(static_cast<std::size_t>(columns * rows), 0), keep(size);
     const auto tile_of = [&](std::size_t i) {
       const std::int64_t at = problem_.point(static_cast<std::int64_t>(i));
-      return static_cast<std::size_t>(at / grid_.nx / cmr_tile * columns + at % grid_.nx / cmr_tile);
+      return static_cast<std::size_t>(at / grid_.nx / tile * columns + at % grid_.nx / tile);
     };
     for (std::size_t i = 0; i < size; ++i)
       if (p[i] > 0 || w[i] - problem_.u()[i] < limit) active[tile_of(i)] = 1;
@@ -253,7 +252,7 @@ class Cascade {
   std::string remark_;
 };
 
-constexpr rc_option_spec cmr_inner = text_option("cmr.inner", "auto", nullptr, "solver on every level, by name");
+constexpr rc_option_spec inner = text_option("cmr.inner", "auto", nullptr, "solver on every level, by name");
 constexpr rc_option_spec levels =
     int_option("cmr.levels", "0", 0, most_levels, "grids of the cascade, the given one included; 0: down to 16 points a side");
 constexpr rc_option_spec radius = real_option("cmr.radius", "2", 1, 1000, "h: radius of the area of influence in coarse cells");
@@ -267,12 +266,12 @@ constexpr rc_option_spec certified = int_option(
 constexpr rc_option_spec select = text_option("cmr.select", "influence", "influence|gap",
                                               "points of the given grid that are kept: those near contact on the coarser one, "
                                               "or tiles whose gap under the coarser pressure nearly closes");
-constexpr const rc_option_spec* cmr_specs[] = {&cmr_inner, &levels, &radius, &area, &filter, &certified, &select};
+constexpr const rc_option_spec* specs[] = {&inner, &levels, &radius, &area, &filter, &certified, &select};
 
 }  // namespace
 
-const Options cmr_options = listed(cmr_specs);
+const Options options = listed(specs);
 
-rc_status cmr(const Problem& problem, Vector& p, double&) { return Cascade(problem, p).run(); }
+rc_status solve(const Problem& problem, Vector& p, double&) { return Cascade(problem, p).run(); }
 
-}  // namespace rc
+}  // namespace rc::cmr

@@ -8,17 +8,17 @@
 #include "solvers/largest_eigenvalue.h"
 #include "solvers/residual.h"
 
-namespace rc {
+namespace rc::gradient_projection {
 
 namespace {
 
-constexpr double gp_progress = 0.9;         // the residual falls when it is below this share of its value at the last fall
-constexpr std::int64_t gp_patience = 1000;  // iterations without such a fall, after which the solver has stalled
-constexpr double visible = 1e-6;            // least size of a step, relative to p, whose curvature is above round-off
+constexpr double progress = 0.9;         // the residual falls when it is below this share of its value at the last fall
+constexpr std::int64_t patience = 1000;  // iterations without such a fall, after which the solver has stalled
+constexpr double visible = 1e-6;         // least size of a step, relative to p, whose curvature is above round-off
 
 class Descent {
  public:
-  Descent(const Problem& problem, Vector& p, double& d, const GradientSettings& settings)
+  Descent(const Problem& problem, Vector& p, double& d, const Settings& settings)
       : problem_(problem), settings_(settings), n_(p.size()), p_(p), d_(d), hp_(n_, 0.0), s_(n_), hs_(n_) {
     clip(problem_, p_);
     scale_to_load(problem_, p_);
@@ -27,7 +27,7 @@ class Descent {
   rc_status run() {
     if (std::any_of(p_.begin(), p_.end(), [](double value) { return value > 0; })) problem_.apply(p_, hp_);
     Vector previous = p_, h_previous = hp_;
-    Stall stalls(gp_progress, gp_patience);
+    Stall stalls(progress, patience);
     // H s is combined from products with p: the residual of p needs no product of its own.
     for (std::int64_t k = 0, i = 0; k < settings_.steps; ++k, ++i) {
       const Residual residual = residual_of(problem_, p_, hp_);
@@ -67,7 +67,7 @@ class Descent {
   }
 
   const Problem& problem_;
-  GradientSettings settings_;
+  Settings settings_;
   const std::size_t n_;
   Vector& p_;
   double& d_;
@@ -79,25 +79,25 @@ constexpr rc_option_spec lipschitz = text_option("gp.lipschitz", "collatz", "col
                                                  "Frobenius norm, as published, where the backend has it");
 constexpr rc_option_spec restart =
     int_option("gp.restart", "1", 0, 1, "1: the acceleration starts afresh where it points uphill; 0: never, as published");
-const rc_option_spec* const gp_specs[] = {&lipschitz, &restart};
+const rc_option_spec* const specs[] = {&lipschitz, &restart};
 
 }  // namespace
 
-const Options gp_options = listed(gp_specs);
+const Options options = listed(specs);
 
-rc_status gradient_projection(const Problem& problem, Vector& p, double& d, GradientSettings settings) {
+rc_status descend(const Problem& problem, Vector& p, double& d, Settings settings) {
   return Descent(problem, p, d, settings).run();
 }
 
-rc_status gp(const Problem& problem, Vector& p, double& d) {
-  GradientSettings settings;
+rc_status solve(const Problem& problem, Vector& p, double& d) {
+  Settings settings;
   settings.restart = problem.option_int("gp.restart") != 0;
   const bool frobenius = problem.option_text("gp.lipschitz") == "frobenius";
   if (frobenius && !problem.has_norm()) problem.note("gp: this backend has no Frobenius norm, gp.lipschitz = collatz instead");
   settings.lipschitz = frobenius && problem.has_norm() ? problem.norm() : largest_eigenvalue(problem);
   if (!(settings.lipschitz > 0) || std::isinf(settings.lipschitz))
     problem.fail("gp: the operator is not positive definite, or returned values that are not finite");
-  return gradient_projection(problem, p, d, settings);
+  return descend(problem, p, d, settings);
 }
 
-}  // namespace rc
+}  // namespace rc::gradient_projection

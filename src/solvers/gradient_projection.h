@@ -8,9 +8,9 @@
 
 #include "solvers/solver.h"
 
-namespace rc {
+namespace rc::gradient_projection {
 
-struct GradientSettings {
+struct Settings {
   double lipschitz = 0;  // L
   bool restart = true;
   std::int64_t steps = std::numeric_limits<std::int64_t>::max();
@@ -18,6 +18,6 @@ struct GradientSettings {
 };
 
 // 0 <= p <= cap at every exit. Returns RC_STOP_STALLED if the residual stops falling, or after all steps.
-rc_status gradient_projection(const Problem& problem, Vector& p, double& d, GradientSettings settings);
+rc_status descend(const Problem& problem, Vector& p, double& d, Settings settings);
 
-}  // namespace rc
+}  // namespace rc::gradient_projection

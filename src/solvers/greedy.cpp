@@ -18,15 +18,15 @@
 #include "solvers/residual.h"
 #include "solvers/solver.h"
 
-namespace rc {
+namespace rc::greedy {
 
 namespace {
 
-constexpr int greedy_patience = 40;             // iterations of a solve without a new smallest residual
-constexpr double greedy_accuracy = 1e-3;        // of a solve, relative to tol
-constexpr double greedy_attained = 1e-15;       // least residual that products in double precision can reach
+constexpr int patience = 40;                    // iterations of a solve without a new smallest residual
+constexpr double accuracy = 1e-3;               // of a solve, relative to tol
+constexpr double attained = 1e-15;              // least residual that products in double precision can reach
 constexpr std::int64_t most_entries_of = 4096;  // most points for which Gauss & Seidel's method stores the matrix
-constexpr double greedy_round_off = 1e-12;
+constexpr double round_off = 1e-12;
 
 class Greedy {
  public:
@@ -37,7 +37,7 @@ class Greedy {
         p_(p),
         hp_(n_),
         kept_(n_, 1),
-        enough_(std::max(greedy_accuracy * problem.tol(), greedy_attained)),
+        enough_(std::max(accuracy * problem.tol(), attained)),
         inner_(problem.option_text("greedy.inner")) {
     for (double& value : p_) value = std::max(value, 0.0);
   }
@@ -80,7 +80,7 @@ class Greedy {
     const auto size = [](const Vector& v) {
       return std::abs(*std::max_element(v.begin(), v.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
     };
-    if (size(of_ones) <= greedy_round_off * static_cast<double>(n_) * size(of_one)) kept_[farthest] = 0;
+    if (size(of_ones) <= round_off * static_cast<double>(n_) * size(of_one)) kept_[farthest] = 0;
   }
 
   // Conjugate gradients on the points that are kept. The residuals of the others are set to 0, so directions are 0 there.
@@ -88,7 +88,7 @@ class Greedy {
     Vector r(n_);
     problem_.apply(p_, hp_);
     for (std::size_t i = 0; i < n_; ++i) r[i] = kept_[i] ? u_[i] - hp_[i] : 0;
-    Stall stalls(1, greedy_patience);
+    Stall stalls(1, patience);
     const auto multiply = [&](const Vector& t, Vector& q) {
       problem_.apply(t, q);
       for (std::size_t i = 0; i < n_; ++i)
@@ -121,7 +121,7 @@ class Greedy {
   }
 
   void sweep() {
-    for (Stall stalls(1, greedy_patience);;) {
+    for (Stall stalls(1, patience);;) {
       double largest = 0;
       for (std::size_t i = 0; i < n_; ++i) {
         if (!kept_[i]) continue;
@@ -204,17 +204,17 @@ class Greedy {
   std::int64_t iterations_ = 0;
 };
 
-constexpr rc_option_spec greedy_inner =
+constexpr rc_option_spec inner =
     text_option("greedy.inner", "cg", "cg|gauss-seidel|cholesky",
                 "how each set is solved; gauss-seidel stores the matrix, of at most 4096 candidates");
 constexpr rc_option_spec repair =
     int_option("greedy.repair", "0", 0, 1, "1: if dropped points overlap, nnls continues from the contact set found");
-const rc_option_spec* const greedy_specs[] = {&greedy_inner, &repair};
+const rc_option_spec* const specs[] = {&inner, &repair};
 
 }  // namespace
 
-const Options greedy_options = listed(greedy_specs);
+const Options options = listed(specs);
 
-rc_status greedy(const Problem& problem, Vector& p, double&) { return Greedy(problem, p).run(); }
+rc_status solve(const Problem& problem, Vector& p, double&) { return Greedy(problem, p).run(); }
 
-}  // namespace rc
+}  // namespace rc::greedy

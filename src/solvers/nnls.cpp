@@ -20,14 +20,14 @@
 #include "solvers/residual.h"
 #include "solvers/solver.h"
 
-namespace rc {
+namespace rc::nnls {
 
 namespace {
 
 constexpr int block_attempts = 10;           // exchanges that do not lower the number of infeasible points
 constexpr std::int64_t start_directly = 64;  // most points for which the first set is {u > 0}; with more, gradient steps find it
 constexpr std::int64_t gradient_steps = 30, warm_gradient_steps = 25;
-constexpr double nnls_round_off = 1e-15;  // relative to the largest pressure: below, a pressure has vanished
+constexpr double round_off = 1e-15;  // relative to the largest pressure: below, a pressure has vanished
 
 enum class State : char { open, free, capped };
 
@@ -95,12 +95,12 @@ class Pivoting {
     const bool cold = std::none_of(p_.begin(), p_.end(), [](double value) { return value > 0; });
     // If a solve costs many products, gradient steps save time even from a warm start.
     if ((cold || !problem_.factors()) && problem_.size() > start_directly) {
-      GradientSettings settings;
+      gradient_projection::Settings settings;
       settings.lipschitz = largest_eigenvalue(problem_);
       settings.steps = cold ? gradient_steps : warm_gradient_steps;
       settings.polls = false;
       double unused = 0;
-      if (settings.lipschitz > 0) gradient_projection(problem_, p_, unused, settings);
+      if (settings.lipschitz > 0) gradient_projection::descend(problem_, p_, unused, settings);
     }
     const bool directly = cold && problem_.size() <= start_directly;
     for (std::size_t i = 0; i < n_; ++i) state_[i] = !directly ? state_of(p_[i]) : u[i] > 0 ? State::free : State::open;
@@ -137,7 +137,7 @@ class Pivoting {
         p_[i] += length * (solution_[k] - p_[i]);
         if (length == 1 && is_between(solution_[k])) p_[i] = solution_[k];
         const bool up = solution_[k] > 0;
-        if (is_between(solution_[k]) || (up ? cap_ - p_[i] > nnls_round_off * cap_ : p_[i] > nnls_round_off * largest)) continue;
+        if (is_between(solution_[k]) || (up ? cap_ - p_[i] > round_off * cap_ : p_[i] > round_off * largest)) continue;
         p_[i] = up ? cap_ : 0;
         state_[i] = up ? State::capped : State::open;
         left = true;
@@ -231,19 +231,19 @@ class Pivoting {
 constexpr rc_option_spec pivoting =
     text_option("nnls.pivoting", "block", "block|single",
                 "block: all infeasible points at once, a handful of solves; single: one point a solve, as published");
-const rc_option_spec* const nnls_specs[] = {&pivoting};
+const rc_option_spec* const specs[] = {&pivoting};
 
 }  // namespace
 
-const Options nnls_options = listed(nnls_specs);
+const Options options = listed(specs);
 
-rc_status nnls(const Problem& problem, Vector& p, double&) {
+rc_status solve(const Problem& problem, Vector& p, double&) {
   Pivoting pivoting_method(problem, p);
   return problem.option_text("nnls.pivoting") == "single" ? pivoting_method.one_by_one() : pivoting_method.by_blocks();
 }
 
 // About six contact sets, of about a third of the points.
-rc_status nnls_score(const rc_facts* facts, rc_estimate* estimate) {
+rc_status score(const rc_facts* facts, rc_estimate* estimate) {
   if (facts->partial) return facts->host->fail(facts->host, RC_ERR_INCOMPATIBLE, "its answer comes with the last contact set");
   const double one = (facts->caps & RC_CAP_SUBSET) != 0 ? facts->backend->factor : iterating(*facts, 7);
   estimate->seconds = with_the_rest(*facts, 6 * one);
@@ -251,4 +251,4 @@ rc_status nnls_score(const rc_facts* facts, rc_estimate* estimate) {
   return RC_OK;
 }
 
-}  // namespace rc
+}  // namespace rc::nnls

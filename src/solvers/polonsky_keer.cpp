@@ -12,14 +12,14 @@
 #include "solvers/residual.h"
 #include "solvers/solver.h"
 
-namespace rc {
+namespace rc::polonsky_keer {
 
 namespace {
 
-constexpr int refresh_every = 25;       // updates of H p between products that remove its drift
-constexpr double pk_progress = 0.9;     // the residual falls when it is below this share of its value at the last fall
-constexpr int pk_patience = 300;        // iterations without such a fall, after which the solver has stalled
-constexpr double pk_round_off = 1e-13;  // of a curvature t'Ht, relative to |t|^2 times the largest |H t| / |t| seen
+constexpr int refresh_every = 25;    // updates of H p between products that remove its drift
+constexpr double progress = 0.9;     // the residual falls when it is below this share of its value at the last fall
+constexpr int patience = 300;        // iterations without such a fall, after which the solver has stalled
+constexpr double round_off = 1e-13;  // of a curvature t'Ht, relative to |t|^2 times the largest |H t| / |t| seen
 constexpr double same_load = 1e-15;
 
 class Iteration {
@@ -141,8 +141,8 @@ class Iteration {
     if (std::isnan(curvature)) not_definite(curvature);
     const double size = dot(t_, t_);
     steepest_ = std::max(steepest_, std::sqrt(dot(q_, q_) / size));
-    if (curvature > pk_round_off * steepest_ * size) return slope > 0 ? slope / curvature : 0;
-    if (curvature < -pk_round_off * steepest_ * size) not_definite(curvature);
+    if (curvature > round_off * steepest_ * size) return slope > 0 ? slope / curvature : 0;
+    if (curvature < -round_off * steepest_ * size) not_definite(curvature);
     return first_bound();
   }
 
@@ -179,7 +179,7 @@ class Iteration {
   }
 
   rc_status iterate() {
-    Stall stalls(pk_progress, pk_patience);
+    Stall stalls(progress, patience);
     for (std::int64_t iteration = 0;; ++iteration) {
       double r = residual();
       if (r <= problem_.tol() && since_refresh_ > 0) {
@@ -216,14 +216,14 @@ class Iteration {
 
 }  // namespace
 
-const Options polonsky_keer_options{};
+const Options options{};
 
-rc_status polonsky_keer(const Problem& problem, Vector& p, double& d) { return Iteration(problem, p, d).run(); }
+rc_status solve(const Problem& problem, Vector& p, double& d) { return Iteration(problem, p, d).run(); }
 
-rc_status polonsky_keer_score(const rc_facts* facts, rc_estimate* estimate) {
+rc_status score(const rc_facts* facts, rc_estimate* estimate) {
   estimate->seconds = with_the_rest(*facts, iterating(*facts, 250));
   estimate->bytes = 5 * sizeof(double) * static_cast<double>(facts->n);
   return RC_OK;
 }
 
-}  // namespace rc
+}  // namespace rc::polonsky_keer

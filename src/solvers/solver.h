@@ -33,18 +33,23 @@ inline double with_the_rest(const rc_facts& facts, double solving) {
   return facts.backend->seconds + solving + facts.backend->field;
 }
 
-// Declares the function, the score and the options of every line of solvers.def. The function improves p (and, in load control,
-// d) until problem.tol() is met. With IN_PLACE it works on the caller's array. The score is that of rc_solver.
-#define RC_SOLVER(function, name, summary, needs, controls, score)  \
-  rc_status function(const Problem& problem, Vector& p, double& d); \
-  rc_status score(const rc_facts* facts, rc_estimate* estimate);    \
-  extern const Options function##_options;
-#define RC_SOLVER_IN_PLACE(function, name, summary, needs, controls, score)   \
-  rc_status function(const Problem& problem, std::span<double> p, double& d); \
-  rc_status score(const rc_facts* facts, rc_estimate* estimate);              \
-  extern const Options function##_options;
+// The score of a solver that is chosen by its name alone.
+rc_status by_name_only(const rc_facts* facts, rc_estimate* estimate);
+
+// Declares the namespace of every line of solvers.def. `solve` improves p (and, in load control, d) until problem.tol() is met.
+// With IN_PLACE it works on the caller's array. `score` is that of rc_solver; a solver whose line has by_name_only does not
+// define it.
+#define RC_SOLVER_NAMESPACE(name, Pressures)                       \
+  namespace name {                                                 \
+  rc_status solve(const Problem& problem, Pressures p, double& d); \
+  rc_status score(const rc_facts* facts, rc_estimate* estimate);   \
+  extern const Options options;                                    \
+  }
+#define RC_SOLVER(space, name, summary, needs, controls, score) RC_SOLVER_NAMESPACE(space, Vector&)
+#define RC_SOLVER_IN_PLACE(space, name, summary, needs, controls, score) RC_SOLVER_NAMESPACE(space, std::span<double>)
 #include "solvers/solvers.def"
 #undef RC_SOLVER
 #undef RC_SOLVER_IN_PLACE
+#undef RC_SOLVER_NAMESPACE
 
 }  // namespace rc

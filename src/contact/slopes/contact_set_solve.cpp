@@ -15,8 +15,8 @@ namespace rc {
 
 namespace {
 
-constexpr int set_patience = 20;  // steps without a smaller residual, after which round-off is all that is left
-constexpr double smaller = 0.9;   // of the smallest residual before
+constexpr int steps_of_round_off = 20;  // without a smaller residual, after which round-off is all that is left
+constexpr double smaller = 0.9;         // of the smallest residual before
 
 constexpr double single_error = 2e-6;  // of a product in single precision, relative, at most
 constexpr double drift = 0.005;        // share of the tolerance that one such product may add to the residual
@@ -236,7 +236,7 @@ rc_status ContactSetSolve::form(std::span<const double> b, double tol, double me
   };
   for (double before = std::numeric_limits<double>::infinity();;) {
     double last = 0, drifted = 0;
-    Stall stalls(smaller, set_patience);
+    Stall stalls(smaller, steps_of_round_off);
     const auto enough = [&](int, double rr) {
       const double now = std::sqrt(rr);
       if (single) drifted += single_error * (last + now);
@@ -277,7 +277,7 @@ rc_status ContactSetSolve::solve(std::span<const double> b, double tol, std::spa
   const bool has_single = (op_.capabilities() & RC_CAP_FLOAT) != 0;
   bool single = false, stalled = false;
   double last = 0, drifted = 0;
-  Stall stalls(smaller, set_patience);
+  Stall stalls(smaller, steps_of_round_off);
   const auto enough = [&](int, double rr) {
     const double now = std::sqrt(rr);
     if (single) drifted += single_error * (last + now);

@@ -14,7 +14,6 @@ namespace rc {
 
 namespace {
 
-constexpr double subset_tol = 1e-12;        // of conjugate gradients without a preconditioner
 constexpr double product_rounding = 1e-12;  // of a residual from a product in double precision, over |b|, at most
 
 // A bound from below of the eigenvalues of H[S,S] + zero_mode/n 11', m points in S. Where H is periodic, x'Hx >= wave |x -
@@ -57,7 +56,8 @@ rc_status SubsetSolve::operator()(std::span<const double> b, double tol, std::sp
   if (preconditioned_) {
     status = (*preconditioned_)(b, tol, x, {&bound, 1});
   } else {
-    status = op_.subset(set_, b.data(), x.data(), subset_tol);
+    constexpr double relative_residual = 1e-12;  // of conjugate gradients without a preconditioner
+    status = op_.subset(set_, b.data(), x.data(), relative_residual);
     const double unknown = std::numeric_limits<double>::quiet_NaN();
     bound = {unknown, sum_in_order(b.size(), [&](std::size_t i) { return b[i] * x[i]; }), unknown};
   }

@@ -90,9 +90,11 @@ rc_status iterate(const Problem& problem, std::span<double> p, double& d) {
 
 }  // namespace
 
-const Options haar_cg_options = listed(haar_specs);
+namespace haar_cg {
 
-rc_status haar_cg(const Problem& problem, std::span<double> p, double& d) {
+const Options options = listed(haar_specs);
+
+rc_status solve(const Problem& problem, std::span<double> p, double& d) {
   const char* const coarse_solver = problem.option_int("haar-cg.nested") != 0 ? "haar-cg" : nullptr;
   NearSteps near(problem);
   if (near.solve(p, d)) return near.keep(p), RC_OK;
@@ -104,7 +106,7 @@ rc_status haar_cg(const Problem& problem, std::span<double> p, double& d) {
   return problem.by_nnls(p.data());
 }
 
-rc_status haar_cg_score(const rc_facts* facts, rc_estimate* estimate) {
+rc_status score(const rc_facts* facts, rc_estimate* estimate) {
   estimate->seconds = with_the_rest(*facts, iterating(*facts, 40));
   // Five vectors and the free set; u is made where it is read. The trees lie in one of the vectors.
   const bool mixed =
@@ -112,5 +114,7 @@ rc_status haar_cg_score(const rc_facts* facts, rc_estimate* estimate) {
   estimate->bytes = (5 * (mixed ? sizeof(float) : sizeof(double)) + 4) * static_cast<double>(facts->n);
   return RC_OK;
 }
+
+}  // namespace haar_cg
 
 }  // namespace rc
