@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "platform/files.h"
+#include "platform/posix/system.h"
 
 namespace rc_platform {
 
@@ -65,15 +66,13 @@ QuietWrites::QuietWrites() {
   }
 }
 
-// Takes the bytes that have arrived.
+// Takes the signals that writing has raised.
 QuietWrites::~QuietWrites() {
   const int error = errno;
   for (int k = 0; k < 2; ++k) {
     if (blocked_[k]) continue;
     const sigset_t signal = set_of(quiet_signals[k]);
-    sigset_t pending;
-    int taken = 0;
-    if (sigpending(&pending) == 0 && sigismember(&pending, quiet_signals[k]) == 1) sigwait(&signal, &taken);
+    take_pending(quiet_signals[k]);
     pthread_sigmask(SIG_UNBLOCK, &signal, nullptr);
   }
   errno = error;
@@ -87,6 +86,12 @@ int own_descriptor(const fs::path& path) {
     if (fs::equivalent(path.parent_path(), folder, error)) return std::atoi(name.c_str());
   }
   return -1;
+}
+
+std::string stream_refusal(int descriptor) {
+  const int flags = fcntl(descriptor, F_GETFL);
+  if (flags < 0) return std::strerror(errno);
+  return (flags & O_ACCMODE) == O_RDONLY ? "this stream is open for reading only" : "";
 }
 
 bool may_write(const fs::path& file) { return faccessat(AT_FDCWD, file.c_str(), W_OK, AT_EACCESS) == 0; }
@@ -110,7 +115,11 @@ std::FILE* create_like(const fs::path& path, const fs::path& other) {
 std::string pour(std::FILE* from, const fs::path& to, int stream) {
   if (stream == STDOUT_FILENO) std::fflush(stdout);
   const int descriptor = stream >= 0 ? fcntl(stream, F_DUPFD_CLOEXEC, 3) : open_stream(to);
-  if (descriptor < 0) return errno == ENXIO ? "nobody reads this pipe, start its reader first" : std::strerror(errno);
+  if (descriptor < 0) {
+    const std::string failure = std::strerror(errno);
+    std::error_code none;
+    return errno == ENXIO && fs::is_fifo(to, none) ? "nobody reads this pipe, start its reader first" : failure;
+  }
   char block[1 << 16];
   bool written = true;
   std::rewind(from);
