@@ -238,6 +238,17 @@ class Outputs(CommandTest):
                 self.assertEqual(os.readlink(path), stream)
                 path.unlink()
 
+    def test_streams_that_take_nothing(self):
+        """They are refused before any work is done: the message names the option."""
+        for form, path, begin in self.each_form():
+            for stream, says in (("/dev/fd/99", "Bad file descriptor"), ("/proc/self/fd/0", "this stream is open for reading only")):
+                path.symlink_to(stream)
+                with open(self.folder / "z.npy", "rb") as readable:
+                    done = self.written(form, "there/a", stdin=readable)
+                self.assertEqual(done.returncode, 1, (form, done.stderr))
+                self.assertRegex(done.stderr, r"roughcontact: --\S+.*: cannot write .*there/a.*: %s" % says)
+                path.unlink()
+
     def test_a_limit_of_file_sizes(self):
         for form, path, begin in self.each_form():
             for old in (False, True):
@@ -328,8 +339,9 @@ class Outputs(CommandTest):
         with open(self.folder / "long.law", "wb") as file:
             file.write(b"roughcontact-law 1\n")
             file.truncate(1 << 40)
+        (self.folder / "circle.law").symlink_to("circle.law")
         for name, says in (("folder.law", "it is a folder"), ("pipe.law", "it is a pipe"), ("zero.law", "it is a device"), ("sparse.law", "does not begin with"),
-                           ("long.law", "more than the 4000000000"), ("absent.law", "there is no such file")):
+                           ("long.law", "more than the 4000000000"), ("circle.law", "Too many levels of symbolic links"), ("absent.law", "there is no such file")):
             self.assert_fails("law", name, says=[name, says], timeout=20)
 
 
