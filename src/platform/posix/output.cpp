@@ -50,9 +50,13 @@ int open_stream(const fs::path& path) {
   return descriptor;
 }
 
-void take_owner(int descriptor, const struct stat& other) {
-  if (fchown(descriptor, other.st_uid, other.st_gid) != 0 && fchown(descriptor, static_cast<uid_t>(-1), other.st_gid) != 0)
-    return;  // only the superuser gives files away
+// Gives a new file the owner and group of another, and returns its permissions. Only the superuser gives files away, and a user only
+// to a group of his own: the members of the group that it then has get the rights that others have.
+mode_t like(int descriptor, const struct stat& other) {
+  const mode_t mode = other.st_mode & 0777;
+  if (fchown(descriptor, other.st_uid, other.st_gid) == 0 || fchown(descriptor, static_cast<uid_t>(-1), other.st_gid) == 0)
+    return mode;
+  return (mode & 0707) | (mode & 0007) << 3;
 }
 
 }  // namespace
@@ -99,11 +103,9 @@ bool may_write(const fs::path& file) { return faccessat(AT_FDCWD, file.c_str(), 
 std::FILE* create_like(const fs::path& path, const fs::path& other) {
   struct stat info {};
   const bool present = stat(other.c_str(), &info) == 0;
-  const mode_t mode = present ? info.st_mode & 0777 : 0666;
-  const int descriptor = open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+  const int descriptor = open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, present ? 0600 : 0666);
   if (descriptor < 0) return nullptr;
-  if (present) take_owner(descriptor, info);
-  std::FILE* const stream = !present || fchmod(descriptor, mode) == 0 ? fdopen(descriptor, "w+b") : nullptr;
+  std::FILE* const stream = !present || fchmod(descriptor, like(descriptor, info)) == 0 ? fdopen(descriptor, "w+b") : nullptr;
   if (stream) return stream;
   const int error = errno;
   close(descriptor);

@@ -271,6 +271,21 @@ class Outputs(CommandTest):
             path.chmod(0o444)
             self.assert_refuses(form, "Permission denied", preexec_fn=nobody)
 
+    def test_a_group_that_cannot_be_kept(self):
+        """Its rights do not go to the members of another group."""
+        self.folder.chmod(0o755)
+        if os.getuid() != 0 or self.run_command("--version", preexec_fn=nobody).returncode != 0:
+            self.skipTest("the command cannot be started by another user")
+        for form, path, begin in self.each_form():
+            path.parent.chmod(0o777)
+            for mode, kept in ((0o660, 0o600), (0o664, 0o644), (0o600, 0o600)):
+                path.write_text("old")
+                os.chown(path, NOBODY, 12345)
+                path.chmod(mode)
+                self.assertEqual(self.written(form, "there/a", preexec_fn=nobody).returncode, 0)
+                written = path.stat()
+                self.assertEqual((written.st_gid, oct(written.st_mode & 0o777)), (NOBODY, oct(kept)))
+
     def test_a_picture_that_is_cut_off(self):
         self.file("bin/gnuplot", "#!/bin/sh\nprintf '\\211PNG\\r\\n\\032\\n half a picture'\n")
         for form in (form for form, begin in FORMS if begin == PNG):
