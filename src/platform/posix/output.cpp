@@ -50,8 +50,8 @@ int open_stream(const fs::path& path) {
   return descriptor;
 }
 
-// Gives a new file the owner and group of another, and returns its permissions. Only the superuser gives files away, and a user only
-// to a group of his own: the members of the group that it then has get the rights that others have.
+// Gives a new file the owner and group of another, and returns its permissions. Only the superuser gives files away, and a user
+// only to a group of his own: the members of the group that it then has get the rights that others have.
 mode_t like(int descriptor, const struct stat& other) {
   const mode_t mode = other.st_mode & 0777;
   if (fchown(descriptor, other.st_uid, other.st_gid) == 0 || fchown(descriptor, static_cast<uid_t>(-1), other.st_gid) == 0)
