@@ -1,4 +1,4 @@
-// What the host may do during a call: end it by a flag, or cancel the thread that made it.
+// The two ways in which the host ends a call: it sets a flag, or it cancels the thread that made the call.
 #pragma once
 
 #include <cstdint>
