@@ -102,7 +102,7 @@ def imports_of(file):
 
 
 def headers(src):
-    """Of each header below src, those that it includes."""
+    """The headers that each header below src includes."""
     graph = {}
     for header in src.rglob('*.h'):
         quoted = re.findall(r'^\s*#\s*include\s*"([^"]+)"', header.read_text(), re.M)

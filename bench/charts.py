@@ -52,7 +52,7 @@ def axes(xlabel, ylabel, x, y, more=''):
 
 
 def ticks(axis, places):
-    """Of (text, place)."""
+    """A line of gnuplot with ticks from pairs (text, place)."""
     return f'set {axis}tics (' + ', '.join(f'"{text}" {place}' for text, place in places) + ')'
 
 

@@ -61,7 +61,7 @@ def measure(request, store, name, seed):
 
 
 def summary_of(rows, **values):
-    """Of the rows with these values; medians are left out where there is nothing to take them of."""
+    """The summary of the rows with these values, without medians of nothing."""
     rows = chosen(rows, **values)
     coarser, others = chosen(rows, status='RC_WITHIN_GOAL'), [row for row in rows if row['status'] != 'RC_WITHIN_GOAL']
     within = sum(row['error'] <= row['goal'] for row in rows)

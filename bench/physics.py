@@ -82,7 +82,7 @@ def spread(values):
 
 
 class Summary:
-    """Of certified rows."""
+    """The summary of certified rows."""
 
     def __init__(self, rows, capped, request):
         self.request, self.capped = request, [row for row in capped if row['status'] == OK]

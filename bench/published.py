@@ -100,7 +100,7 @@ def measure_breadth(request, store):
 
 
 def over_slope(pressure):
-    """Of GFMD, to the digits that results keep."""
+    """The pressure over the slope of GFMD, to the digits that results keep."""
     return float(f'{pressure / GFMD_SLOPE:.6g}')
 
 

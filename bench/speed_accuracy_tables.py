@@ -58,7 +58,7 @@ def grid_error(document, case, key):
 
 
 def front(points):
-    """Of (time, error) pairs those that no other beats in both, by growing time."""
+    """The (time, error) pairs that no other pair beats in both, by growing time."""
     found = []
     for time, error in sorted(points):
         if not found or error < found[-1][1]:
@@ -313,7 +313,7 @@ def errors_picture(document, file, panels, names):
 
 
 def middle(document, scenes):
-    """Of each scene the case next to 10 % in contact."""
+    """The case of each scene whose contact is next to 10 %."""
     known = [cases(document, scene=scene) for scene in scenes]
     return [min(found, key=lambda case: abs(case['contact'] - 0.1)) for found in known if found]
 

@@ -18,7 +18,7 @@ def processor():
 
 
 def library_hash():
-    """Of the library, its plugins and the kind of processor: what the same bytes have measured there need not be measured again."""
+    """A hash of the library, its plugins and the kind of processor: the same bytes need not be measured there again."""
     library = os.path.realpath(roughcontact.library_file())
     files = [os.path.join(folder, name) for folder, _, names in os.walk(os.path.join(os.path.dirname(library), 'roughcontact')) for name in names]
     digest = hashlib.blake2b(processor().encode(), digest_size=8)

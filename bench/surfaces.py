@@ -249,7 +249,7 @@ def measured(file):
     return GridScene(functools.partial(block_means, gap), n=side // 4, aspect=hy / hx)
 
 
-# Of n points a side, a power of two.
+# Scenes of n points a side, a power of two.
 MADE = {
     'hertz': lambda n, seed: GridScene(paraboloid_gap, most_contact=0.5, known=hertz),  # the disc has to fit into the square
     'wave': lambda n, seed: GridScene(lambda m: HEIGHT * (1 - np.cos(2 * math.pi * coordinates(m)[0])) + 0 * coordinates(m)[1],

@@ -199,7 +199,7 @@ void Oracle::check_residuals(const Problem& problem, const Answer& answer, Parts
 void Oracle::check_intervals(const Answer& answer, const Parts& parts) const {
   const rc_result& r = answer.result;
   if (std::isnan(r.load_lower) || !parts.exact) return;
-  // Of matrices next to singular the exact answer is not known to enough digits.
+  // For matrices next to singular the exact answer is not known to enough digits.
   if (parts.scale > 0 && parts.noise > parts.scale) return;
   const std::size_t n = answer.p.size();
   const auto& h = *h_;

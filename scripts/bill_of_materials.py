@@ -31,7 +31,7 @@ def said(*command):
 
 
 def version_of(package):
-    """Of the installed package; '' if there is none of this name."""
+    """The version of the installed package; '' if no package of this name is installed."""
     ran = subprocess.run(['dpkg-query', '-W', '-f', '${Version}', package], capture_output=True, text=True, check=False)
     return ran.stdout if ran.returncode == 0 else ''
 

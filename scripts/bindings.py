@@ -139,7 +139,7 @@ def fortran_number(expression: str, kind: Type) -> str:
 
 
 def fortran_signature(name: str, function: Function) -> str:
-    """Of a callback, as a comment."""
+    """The interface of a callback, for a comment."""
     result = KINDS[function.result.base] + " function" if function.result.base != "void" else "subroutine"
     return f"{result} {name}({', '.join(argument for argument, _ in function.arguments)}) bind(c)"
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # bootstrap.sh [--tests] [--release]: installs the Debian packages of scripts/packages.txt that are not there yet; with --tests also
 # those of packages-tests.txt, without which some tests skip; with --release those of packages-release.txt, for scripts/release.sh.
-# Of several names in a line the first that the system has is taken.
+# A line may have several names: the first one that the system has is installed.
 set -euo pipefail
 lists=("$(dirname "$0")/packages.txt")
 for option in "$@"; do lists+=("$(dirname "$0")/packages-${option#--}.txt"); done

@@ -4,7 +4,7 @@
 #include <mutex>
 #include <new>
 
-// OpenMP's functions exist only where CHOLMOD or the BLAS is built with it, OpenBLAS' only where that serves BLAS.
+// OpenMP's functions exist only if CHOLMOD or the BLAS is built with it, OpenBLAS' only if it is the BLAS.
 extern "C" {
 __attribute__((weak)) int omp_get_max_active_levels(void);
 __attribute__((weak)) void omp_set_max_active_levels(int);

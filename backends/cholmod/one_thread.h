@@ -1,4 +1,4 @@
-// Runs CHOLMOD's loops and the BLAS below it on the calling thread alone. Threads of an OpenMP library would outlive the call,
+// Runs CHOLMOD's loops and the BLAS below it only on the calling thread. Threads of an OpenMP library would outlive the call,
 // and after fork() a child that uses them again would wait for ever. OpenBLAS ends the process if it gets no memory to share work
 // out.
 #pragma once
@@ -16,7 +16,7 @@ class OneThread {
   int levels_ = 0, threads_ = 0;  // of OpenMP, which keeps them for each thread that calls
 };
 
-// Throws std::bad_alloc where OpenBLAS serves and would not get the memory of its workspace: it would try for ever.
+// Throws std::bad_alloc if OpenBLAS is the BLAS and the memory for its workspace is missing: it would ask for it for ever.
 void require_blas_workspace();
 
 }  // namespace rc_cholmod

@@ -16,7 +16,7 @@ namespace rc_cuda {
 
 class Spectrum;
 
-// Of the memory, besides what other objects hold.
+// Bytes of the memory that the engine holds.
 struct Rooms {
   std::size_t torus = 0, vectors = 0;
 };

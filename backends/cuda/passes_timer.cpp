@@ -92,7 +92,7 @@ void measure(Engine& engine, Index n) {
   };
   std::printf("{\"n\": %lld, \"build\": \"%s\", \"passes\": [", static_cast<long long>(n), component.name);
   report("copy", 8, time_of(device, [&] { device.each(cells, CopyAll{machine.t(), machine.q()}); }));
-  // Of trees: values of n/3 blocks beside the cells, with 20 bytes of shares and couplings above the finest level.
+  // Trees: values of n/3 blocks beside the cells, with 20 bytes of shares and couplings above the finest level.
   report("trees: set up", 10.7, time_of(device, [&] { machine.set_up_trees(0); }));
   double level = 0;
   report("trees: apply", 41, time_of(device, [&] { machine.apply_trees(machine.w(), machine.q(), &level); }));

@@ -1,4 +1,4 @@
-// What `auto` compares. The host build is for tests: it is there for those who name it.
+// The estimates that `auto` compares. The host build is for tests: only a caller who names it gets it.
 #include <algorithm>
 
 #include "operator.h"
@@ -17,7 +17,8 @@ constexpr double of_product = 1.3e-10, of_step = 6e-11, of_host = 1e-8, of_trans
 constexpr double launches_of_product = 9, launches_of_step = 40;
 constexpr double products = 40;  // of a usual step
 constexpr double least_points = 512 * 512;
-// Of a step and a product over 4096 points by one block of threads, of which so many run at a time; what a batch costs besides.
+// Seconds of a step and a product over 4096 points by one block of threads; blocks that run at a time; seconds that a batch takes
+// besides.
 constexpr double of_block = 1.9e-4, blocks = 264, of_batch = 2e-3;
 
 // Whether a block takes each of the contacts, of which there are many.

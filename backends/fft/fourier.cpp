@@ -14,7 +14,7 @@ namespace {
 // parts are no longer than that.
 constexpr std::int64_t resident = 512;
 
-// Of the circular convolution that transforms another length, see Chirp.
+// The length of the circular convolution that transforms another length, see Chirp.
 std::int64_t convolution_length(std::int64_t length) { return fast_length(2 * length - 1); }
 
 // Radix 8 as often as possible, but 4 and 4 instead of 8 and 2.

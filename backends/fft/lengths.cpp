@@ -78,7 +78,7 @@ bool covers(Lengths have, Lengths needed, Lengths period) {
 }
 
 bool suits(Lengths have, Lengths needed, Lengths period) {
-  // What was chosen with room for growth suits at once, however far apart fast lengths are.
+  // A length that was chosen with room for growth suits at once, however far apart fast lengths are.
   const double usual = 1.3 * points(fast_lengths(needed, period));
   const double grown = points(fast_lengths({roomy(needed.x), roomy(needed.y)}, period));
   return covers(have, needed, period) && points(have) <= std::max(usual, grown);

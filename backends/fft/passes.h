@@ -33,7 +33,7 @@ template <class Real> struct Plan {
   const Passes<Real>* passes;
 };
 
-// What the waves are multiplied by, by rank, before they are transformed back.
+// The factors of the waves, by rank, before they are transformed back.
 template <class Real> struct Factors {
   const Real* each;  // `width` real factors, one for each sequence
   const Real* all;   // or a complex factor for all of them

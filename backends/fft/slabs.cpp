@@ -11,7 +11,7 @@ namespace rc_fft {
 
 namespace {
 
-// Of a process's spectra that one transposition carries, about: more would need more room for what arrives, less would make
+// The bytes of a process's spectra that one transposition carries, about: more bytes need more room at the receiver, fewer make
 // messages to single processes small.
 constexpr double most_round_bytes = 8 << 20, message_bytes = 1 << 19;
 constexpr std::int64_t most_rounds = 16;
@@ -143,7 +143,7 @@ void SlabTransform<Real>::each_line(std::int64_t group, Real* tiles, const Copy&
   });
 }
 
-// Of each line its wave length/2, which is real, into the imaginary part of wave 0; tiles: the first block of waves.
+// Moves the wave length/2 of each line, which is real, into the imaginary part of wave 0. tiles: the first block of waves.
 template <class Real> void SlabTransform<Real>::put_half(const Real* scratch, Real* tiles) const {
   if (waves_.half < 0) return;
   const Real* const wave = scratch + axes_.x->rows()[waves_.half].row * row_size<Real>;

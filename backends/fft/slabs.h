@@ -41,9 +41,9 @@ struct SharedWaves {
   std::int64_t count, half;  // half: the rank of wave length/2; -1: none
 };
 
-// What products in either precision work in: one runs at a time.
+// The working memory of products in either precision: one product runs at a time.
 struct SlabRoom {
-  // Of this process's rows, [transposition][process][group of lines][block of that process][line], this process's last.
+  // The spectra of this process's rows, [transposition][process][group of lines][block of that process][line], its own last.
   Buffer spectra;
   Buffer columns;  // of this process's blocks in one transposition, of the other processes: [process][group][block][line]
   Buffer scratch;  // [thread]: of the passes, and the waves of a group that is not whole
@@ -78,7 +78,7 @@ template <class Real> class SlabTransform {
   std::int64_t first_row(std::int64_t rank) const { return rows_.first[rank]; }
   std::int64_t count_rows(std::int64_t rank) const { return first_row(rank + 1) - first_row(rank); }
   Range blocks(std::int64_t rank, std::int64_t round) const;
-  // Of the blocks of a range.
+  // The spectra of a range of blocks.
   Real* spectra(Range range) const {
     return room_.spectra.template data<Real>() + place_[static_cast<std::size_t>(range.first)] * own_rows_ * row_size<Real>;
   }

@@ -15,7 +15,7 @@
 
 namespace rc_fft {
 
-// What all transforms of these lengths share: their factors, and the eigenvalues of the operator.
+// The data that all transforms of these lengths share: their factors, and the eigenvalues of the operator.
 template <class Real> struct Waves {
   explicit Waves(Lengths of);
 
@@ -26,9 +26,9 @@ template <class Real> struct Waves {
   double scale() const { return 0.5 / points(lengths); }
   std::int64_t blocks() const { return lengths.x / 2 / width<Real> + 1; }
   std::int64_t count() const { return blocks() * width<Real> * (lengths.y / 2 + 1); }  // of the eigenvalues
-  // Of the waves along x of a block, and the wave along y of this rank, where the spectrum has its place.
+  // The position in the spectrum of a block of waves along x and the wave along y of this rank.
   std::int64_t offset(std::int64_t block, std::int64_t rank) const { return (block * (lengths.y / 2 + 1) + rank) * width<Real>; }
-  // Of the wave along x of this rank, its place in the spectra.
+  // The place in the spectra of the wave along x of this rank.
   std::int64_t place(std::int64_t rank) const { return split ? wave[static_cast<std::size_t>(rank)] : rank; }
   Real* eigenvalue(std::int64_t rank_x, std::int64_t rank_y) const {
     const std::int64_t at = place(rank_x);
@@ -49,7 +49,8 @@ template <class Real> class Transform {
 
   std::size_t bytes() const { return waves_->spectrum.size(); }
   const Waves<Real>& waves() const { return *waves_; }
-  // Of the constant vector, in periodic systems; 0 until then. It takes a spectrum of its own where it is not 0.
+  // Sets the eigenvalue of the constant vector in periodic systems, which is 0 until then. Another value takes a spectrum of its
+  // own.
   void set_zero_mode(double eigenvalue);
 
   // The sources' box begins at (x0, y0) of the frame, the targets' at its origin. Outer: the vectors' precision.

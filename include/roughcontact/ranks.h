@@ -54,7 +54,7 @@ RC_API rc_status rc_ranks_rows(int64_t rank, int64_t ranks, const rc_system *sys
 
 /** Every rank calls these functions, with its own rows in the arrays (iy counts from its first row, n = nx * count) and the same
  *  values in all else. Arrays of a rank without rows are not read. If one rank fails, all return its status, and the message
- *  begins with its number.
+ *  begins with its number. If the time limit or the flag of rc_stop_when ends the call of one rank, it ends the calls of all.
  *
  *  system: a half-space. If its smaller side is below 32 points, every rank solves the whole problem. Every rank also solves sparse
  *  contact, on gathered tiles, in periodic systems with products of all ranks. Different systems, options or versions are refused:

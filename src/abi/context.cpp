@@ -68,7 +68,14 @@ void rc_context_destroy(rc_context* context) {
   delete context;
 }
 
-int64_t rc_usable_cores(int64_t allowed) { return usable_cores(allowed); }
+int64_t rc_usable_cores(int64_t allowed) {
+  int64_t cores = 1;
+  guard("rc_usable_cores", [&] {
+    cores = usable_cores(allowed);
+    return RC_OK;
+  });
+  return cores;
+}
 
 rc_status rc_context_register(rc_context* context, const rc_plugin* plugin) {
   return guard("rc_context_register", [&] {

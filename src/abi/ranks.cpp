@@ -102,7 +102,10 @@ rc_status rc_ranks_contact_create(const rc_exchange* exchange, const rc_system* 
   });
 }
 
-void rc_ranks_contact_destroy(rc_ranks_contact* contact) { delete contact; }
+void rc_ranks_contact_destroy(rc_ranks_contact* contact) {
+  const HostsCall call;
+  delete contact;
+}
 
 rc_status rc_ranks_contact_solve(rc_ranks_contact* contact, const rc_step* step, rc_result* result) {
   return with_step("rc_ranks_contact_solve", contact, step, result,

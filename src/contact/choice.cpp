@@ -60,7 +60,7 @@ struct Candidate {
   const rc_solver* solver = nullptr;
   const rc_backend* backend = nullptr;
   double seconds = 0, bytes = 0;
-  bool scored = false;     // both say what they cost
+  bool scored = false;     // solver and backend both estimate their cost
   bool repeats = true;     // its bits do not depend on threads, or may
   std::string obstacle;    // why it cannot be chosen; "" if it can
   bool too_large = false;  // the obstacle: bytes is more than this machine has

@@ -1,5 +1,6 @@
 #include <iterator>
 
+#include "core/limits.h"
 #include "core/options.h"
 
 namespace rc {

@@ -19,6 +19,7 @@ std::string read_file(const char* path, std::string_view begins, std::uint64_t m
   const fs::path source = rc_platform::path_of(path);
   std::error_code error;
   const fs::file_status status = fs::status(source, error);
+  if (status.type() == fs::file_type::none) fail(RC_ERR_ARGUMENT, path, ": cannot be read: ", error.message());
   if (!fs::exists(status)) fail(RC_ERR_ARGUMENT, path, ": cannot be read: there is no such file");
   if (!fs::is_regular_file(status))
     fail(RC_ERR_ARGUMENT, path, ": cannot be read: it is ", rc_platform::special_kind(status.type()), ", give a file");

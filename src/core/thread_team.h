@@ -15,7 +15,7 @@ namespace rc {
 
 class ThreadTeam : public rc_team {
  public:
-  // The calling thread is one of them: with 1 no thread is made. Fewer if the system refuses to start so many.
+  // The calling thread is one of them: with 1 no thread is made. Fewer than `count` if the system refuses to start them.
   explicit ThreadTeam(std::int64_t count);
   ~ThreadTeam();
   ThreadTeam(const ThreadTeam&) = delete;

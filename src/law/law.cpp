@@ -154,7 +154,8 @@ void admit_chord(rc_law_node& node, const rc_law_node& next) {
   node.between_upper = std::max({node.between_upper, (next.p_lower - node.p) / h, (next.p - node.p_upper) / h});
 }
 
-// The first that is inside the bounds of: where the tangents meet, the knot in the middle and ever nearer to a node, the chord.
+// The first of these curves that is inside the bounds: with the knot where the tangents meet, in the middle, ever nearer to a
+// node; the chord.
 LawInterval Law::curve_of(std::size_t i) const {
   const rc_law_node &node = nodes[i], &next = nodes[i + 1];
   const LawEnvelope bounds(node, next, bow_of(node, next, bulk_yield()));

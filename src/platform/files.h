@@ -31,6 +31,7 @@ std::uint64_t size_of(std::FILE* file);
 
 // The number of the open stream of this process that the path names, as /dev/fd/3 does; -1: it names none.
 int own_descriptor(const std::filesystem::path& path);
+std::string stream_refusal(int descriptor);  // why nothing can be written to this open stream; "" if it can
 
 // Copies a file from its beginning to an open stream of this process, or (descriptor -1) to a device or pipe. Returns why that
 // failed, or "".

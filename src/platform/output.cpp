@@ -90,7 +90,10 @@ Target target_of(const fs::path& path) {
     if (error) return {path, -1, false, error.message()};
     target.file = target.file.parent_path() / next;
   }
-  if (target.streamed) return target;
+  if (target.streamed) {
+    target.refusal = stream_refusal(target.descriptor);
+    return target;
+  }
   const fs::file_status status = fs::status(path, error);
   if (status.type() == fs::file_type::none) {
     target.refusal = error.message();
@@ -101,6 +104,7 @@ Target target_of(const fs::path& path) {
   } else if (fs::exists(status) && status.type() != fs::file_type::regular) {
     target.file = path;
     target.streamed = true;
+    if (!may_write(path)) target.refusal = cause();
   } else {
     target.refusal = refusal_of(target.file, fs::exists(status));
   }

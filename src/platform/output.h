@@ -14,7 +14,7 @@
 
 namespace rc_platform {
 
-// What stands at a path, for messages: "a folder", "a pipe"; "" for a regular file and for nothing.
+// The name of a kind of file for messages: "a folder", "a pipe"; "" for a regular file and for a path without a file.
 std::string_view special_kind(std::filesystem::file_type type);
 
 // The kind of file that an output of this name writes to. Nothing is opened or changed.

@@ -19,8 +19,8 @@ class SignalsBlocked {
   std::uint64_t before_[16] = {};  // the system's set of signals
 };
 
-// A call of the host's. While it lives, the calling thread is not cancelled, but at HostsTurn and end_if_cancelled(). A
-// cancellation that comes meanwhile is acted upon by the host's next cancellation point.
+// Guards a call of the host: while it lives, the calling thread is cancelled only in a HostsTurn and at end_if_cancelled(). The
+// host's next cancellation point acts upon a cancellation that came meanwhile.
 class HostsCall {
  public:
   HostsCall();

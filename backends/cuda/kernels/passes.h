@@ -6,7 +6,7 @@
 
 namespace rc_cuda {
 
-// Of a cell.
+// Marks of a cell.
 constexpr std::uint8_t in_free_set = 1, is_unknown = 2;
 
 RC_ANYWHERE inline double bounded(double p, double cap) { return rc::smaller_of(rc::larger_of(0.0, p), cap); }
@@ -144,7 +144,7 @@ template <class R> struct Cut {
   }
 };
 
-// Of a strip of a column, so that neighbouring threads read neighbouring cells.
+// Keeps the load of a strip of a column, so that neighbouring threads read neighbouring cells.
 template <class R> struct KeepLoad {
   double *p, cap;
   R* z;

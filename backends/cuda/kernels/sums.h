@@ -1,4 +1,4 @@
-// What sums are made of.
+// Partial results of reductions: sums, extremes, conditions.
 #pragma once
 
 #include "runtime/index.h"

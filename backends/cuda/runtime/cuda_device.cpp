@@ -75,7 +75,7 @@ Device::~Device() {
   }
 }
 
-// What fails here is lost already.
+// Failures are ignored: the device is lost already.
 void Device::give_back() noexcept {
   cudaFree(parts_);
   cudaFree(arrived_);

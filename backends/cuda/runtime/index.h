@@ -1,4 +1,4 @@
-// What code for the device and for the host has in common.
+// Macros and types that code for the device and for the host share.
 #pragma once
 
 #include <cstddef>

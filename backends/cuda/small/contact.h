@@ -9,7 +9,7 @@
 
 namespace rc_cuda {
 
-// What all of them have in common. Pointers are to the device's memory; units are the caller's.
+// The data that all contacts have in common. Pointers are to the device's memory; units are the caller's.
 struct Common {
   Index nx, ny, contacts, steps;
   bool by_load, warm, periodic;

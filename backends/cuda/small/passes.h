@@ -9,7 +9,7 @@
 
 namespace rc_cuda {
 
-// Of the gap where the mask lets points carry pressure.
+// The range of the gap over the points that are not masked.
 struct Heights {
   double lowest = 1e300, highest = -1e300;
   Index included = 0;
@@ -105,7 +105,7 @@ struct TakeStart {
   }
 };
 
-// Of pressures in the caller's unit; contact/proof/certificate.cpp has the same sums.
+// Sums and extremes of pressures in the caller's unit; contact/proof/certificate.cpp has the same sums.
 struct Ends {
   double sum = 0, largest = 0, least = 0;
   Index contacts = 0;

@@ -158,7 +158,7 @@ def columns_and_rows(shape: Shape) -> Tuple[int, int]:
 
 
 def pointer(array: Optional[NDArray[Any]]) -> Any:
-    """Of an array's first element, None for none. The array must be kept as long as the pointer is used."""
+    """A pointer to an array's first element; None for None. The array must be kept as long as the pointer is used."""
     if array is None:
         return None
     kinds: Dict[str, Any] = {"float64": doubles, "float32": singles, "int64": integers, "int32": statuses, "uint8": bytes_}

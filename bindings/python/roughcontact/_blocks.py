@@ -26,7 +26,7 @@ def _blocks(values: Doubles, side: int, beyond: float) -> Doubles:
 
 
 def means(values: Doubles, side: int) -> Doubles:
-    """Of the points of each block that are not NaN; NaN where all are."""
+    """The mean of each block over its points that are not NaN; NaN if all are."""
     blocks = _blocks(values, side, np.nan)
     count = (~np.isnan(blocks)).sum(2)
     found: Doubles = np.where(count > 0, np.nansum(blocks, 2) / np.maximum(count, 1), np.nan)

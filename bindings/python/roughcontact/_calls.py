@@ -13,7 +13,7 @@ from ._use import Use
 
 
 def last_message() -> str:
-    """Of the last call of this thread."""
+    """The message of the last call of this thread."""
     return str(contact_library().rc_last_error().decode(errors="replace"))
 
 

@@ -90,8 +90,8 @@ class Body:
     axis: str
 
     def width(self, load: float, modulus: float, length: float) -> float:
-        """Of the contact of a smooth body with a half-space: Hertz, and for a wedge Johnson (1985), equation 5.5. length: along
-        the axis."""
+        """The width of the contact of a smooth body with a half-space: Hertz, and for a wedge Johnson (1985), equation 5.5.
+        length: along the axis."""
         if self.name == "sphere":
             return 2 * (3 * load * self.size / (4 * modulus)) ** (1 / 3)
         if self.name == "wedge":

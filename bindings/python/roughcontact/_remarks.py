@@ -6,7 +6,7 @@ from ._limits import HARDNESSES, SMALL_STRAIN
 
 
 def elastic_limit(max_pressure: float, modulus: float, name: str) -> str:
-    """Of an answer without a hardness, with pressures in Pa; "" if there is nothing to remark. name: how the door calls a hardness."""
+    """A remark on the largest pressure [Pa] of an answer without a hardness; "" if there is none. name: of the option hardness."""
     for hardness, body in HARDNESSES:
         if max_pressure > hardness:
             return f"above the hardness of {body}, this is a purely elastic answer (add {name})"

@@ -75,7 +75,7 @@ def _named(name: str) -> bytes:
 
 
 def _attribute(name: str, value: Union[str, int, float]) -> bytes:
-    """Of type char, int or double."""
+    """An attribute of type char, int or double."""
     if isinstance(value, str):
         return _named(name) + struct.pack(">i", 2) + _named(value)
     kind, form = (4, ">i") if isinstance(value, int) else (6, ">d")

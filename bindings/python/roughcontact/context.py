@@ -210,7 +210,7 @@ def options(context: Optional[Context] = None) -> List[OptionSpec]:
 
 
 def _value(handle: ctypes.c_void_p, key: str) -> OptionValue:
-    """Of an option, by whichever function has its type."""
+    """The value of an option, from the function of its type."""
     library = contact_library()
     for get, out in (
         (library.rc_options_get_int, ctypes.c_int64()),

@@ -53,7 +53,7 @@ def _double(value: Any) -> Any:
 
 
 def _shapes(gap: Any) -> Tuple[Any, Any]:
-    """Of a field and of a number."""
+    """The shapes of a field and of a number."""
     describe: Any = jax.ShapeDtypeStruct
     return describe(gap.shape, gap.dtype), describe((), gap.dtype)
 

@@ -132,7 +132,7 @@ class Contact(OwnsHandle):
 
     @property
     def shape(self) -> Any:
-        """Of this rank's arrays."""
+        """The shape of this rank's arrays."""
         return (self.rows.stop - self.rows.start, *self.system.shape[1:])
 
     def close(self) -> None:

@@ -37,7 +37,7 @@ class Grid(Stored):
 
     @property
     def area(self) -> float:
-        """Of all cells [length^2]."""
+        """Nominal area: that of all cells [length^2]."""
         return float(np.prod(self.shape)) * self.pitch[0] * self.pitch[1]
 
     __repr__ = brief

@@ -99,7 +99,7 @@ rc_status solve_history(Contact& contact, const rc_history& history, const Histo
       const Step begun = contact.begin(step);
       clear_message();
       numbers.status = RC_STOP_CANCELLED;
-      if (!cancellable.cancelled()) numbers = contact.solve_begun(begun, outputs);
+      if (!contact.problem().company().any(cancellable.cancelled())) numbers = contact.solve_begun(begun, outputs);
     } catch (const Error& error) {
       fail(error.code(), where(history, i), ": ", error.what());
     }

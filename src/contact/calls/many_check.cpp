@@ -16,7 +16,7 @@ namespace rc {
 
 namespace {
 
-// One contact in this many is computed anew, and some of a call at least.
+// One contact of every `block` is computed anew, and at least `least_anew` of a call.
 constexpr std::size_t block = 64, least_anew = 8;
 // Residuals computed anew may differ by this share of tol from those reported. Answers that report more than near_tol times tol
 // are all computed anew, so that this difference cannot lift one above tol.

@@ -64,6 +64,12 @@ Given given_by(const rc_step& step, const Outputs& outputs) {
   return {type(step.undeformed_gap), type(step.mask), type(step.p0), type(outputs.p.array), type(outputs.gap.array)};
 }
 
+// A rank that solves the whole problem by itself has its own clock and flag. If they end its call, this ends the calls of all
+// ranks.
+void stop_all(rc_status status, const char* message) {
+  if (status == RC_STOP_TIME || status == RC_STOP_CANCELLED) fail(status, message);
+}
+
 }  // namespace
 
 bool solved_alike(const rc_system& system) { return std::min(system.nx, system.ny) < least_shared_side; }
@@ -109,6 +115,9 @@ Numbers SharedContact::run_alike(const rc_step& step, const Outputs& outputs, bo
     numbers = run_here(whole, all, judged);
   });
   const std::string message = last_message();
+  const std::vector<rc_status> statuses = ranks_.of_each(numbers.status);
+  if (std::ranges::count(statuses, numbers.status) < ranks_.size())
+    on_all(&ranks_, [&] { stop_all(numbers.status, message.c_str()); });
   const auto rows = [&](const rc_array& to, const std::vector<std::byte>& of) {
     const std::size_t row = row_bytes(to);
     if (to.data)
@@ -144,19 +153,21 @@ rc_status SharedContact::run(const rc_history& path, std::int64_t& completed) {
   struct Told {
     const SharedContact& self;
     const rc_history& path;
+    bool ended = false;
   } told{*this, today};
   rc_history inner = today;
   if (today.fn) {
     inner.user = &told;
     inner.fn = [](std::int64_t step, const rc_result* result, void* user) -> std::int32_t {
-      const Told& of = *static_cast<const Told*>(user);
+      Told& of = *static_cast<Told*>(user);
       rc_result rows = *result;
       if (of.self.alike_) {
         const std::int64_t before = of.self.ranks_.first_row() * of.self.columns();
         rows.p.data = static_cast<double*>(rows.p.data) + before;
         if (rows.gap.data) rows.gap.data = static_cast<double*>(rows.gap.data) + before;
       }
-      return of.self.ranks_.any(of.path.fn(step, &rows, of.path.user) != 0) ? 1 : 0;
+      of.ended = of.self.ranks_.any(of.path.fn(step, &rows, of.path.user) != 0);
+      return of.ended ? 1 : 0;
     };
   }
   std::vector<std::byte> gap, mask;
@@ -167,7 +178,9 @@ rc_status SharedContact::run(const rc_history& path, std::int64_t& completed) {
     whole(inner.undeformed_gap, gap);
     whole(inner.mask, mask);
   }
-  return rc::solve_history(*contact_, inner, wants, completed);
+  const rc_status status = rc::solve_history(*contact_, inner, wants, completed);
+  if (alike_ && !told.ended) stop_all(status, last_message());
+  return status;
 }
 
 }  // namespace rc

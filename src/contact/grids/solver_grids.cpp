@@ -6,6 +6,7 @@
 #include "contact/sparse/halved.h"
 #include "core/company.h"
 #include "core/error.h"
+#include "core/host_call.h"
 
 namespace rc {
 
@@ -102,6 +103,7 @@ rc_status SolverGrids::solve_shared(rc_coarse& request, const GridProblem& probl
     half.gather_rows(request.undeformed_gap, system.nx, gap.data());
     if (masked) half.gather_rows(request.mask, system.nx, mask.data());
     try {
+      const FlagIgnored a_flag_that_stops_one_process_stops_all;
       found = solved(*level.contact, coarse_step(request, warm, gap.data(), masked ? mask.data() : nullptr), {{p.data()}, {}});
     } catch (const Error& error) {
       if (error.code() == RC_ERR_MEMORY) throw;

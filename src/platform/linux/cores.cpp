@@ -23,7 +23,8 @@ bool lists(const std::string& words, const std::string& word) {
   return (',' + words + ',').find(',' + word + ',') != std::string::npos;
 }
 
-// Of the tree with the limits of processor time: version 2's only one, or version 1's of the controller "cpu".
+// Finds the mount of the tree of groups that has the limits of processor time: the only tree of version 2, or that of the
+// controller "cpu" of version 1.
 bool find_mount(const std::string& root, bool second, Mount& mount) {
   std::ifstream file(root + "/proc/self/mountinfo");
   for (std::string line; std::getline(file, line);) {

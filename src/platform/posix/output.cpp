@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "platform/files.h"
+#include "platform/posix/system.h"
 
 namespace rc_platform {
 
@@ -49,9 +50,13 @@ int open_stream(const fs::path& path) {
   return descriptor;
 }
 
-void take_owner(int descriptor, const struct stat& other) {
-  if (fchown(descriptor, other.st_uid, other.st_gid) != 0 && fchown(descriptor, static_cast<uid_t>(-1), other.st_gid) != 0)
-    return;  // only the superuser gives files away
+// Gives a new file the owner and group of another, and returns its permissions. Only the superuser gives files away, and a user
+// only to a group of his own: the members of the group that it then has get the rights that others have.
+mode_t like(int descriptor, const struct stat& other) {
+  const mode_t mode = other.st_mode & 0777;
+  if (fchown(descriptor, other.st_uid, other.st_gid) == 0 || fchown(descriptor, static_cast<uid_t>(-1), other.st_gid) == 0)
+    return mode;
+  return (mode & 0707) | (mode & 0007) << 3;
 }
 
 }  // namespace
@@ -65,15 +70,13 @@ QuietWrites::QuietWrites() {
   }
 }
 
-// Takes the bytes that have arrived.
+// Takes the signals that writing has raised.
 QuietWrites::~QuietWrites() {
   const int error = errno;
   for (int k = 0; k < 2; ++k) {
     if (blocked_[k]) continue;
     const sigset_t signal = set_of(quiet_signals[k]);
-    sigset_t pending;
-    int taken = 0;
-    if (sigpending(&pending) == 0 && sigismember(&pending, quiet_signals[k]) == 1) sigwait(&signal, &taken);
+    take_pending(quiet_signals[k]);
     pthread_sigmask(SIG_UNBLOCK, &signal, nullptr);
   }
   errno = error;
@@ -89,16 +92,20 @@ int own_descriptor(const fs::path& path) {
   return -1;
 }
 
+std::string stream_refusal(int descriptor) {
+  const int flags = fcntl(descriptor, F_GETFL);
+  if (flags < 0) return std::strerror(errno);
+  return (flags & O_ACCMODE) == O_RDONLY ? "this stream is open for reading only" : "";
+}
+
 bool may_write(const fs::path& file) { return faccessat(AT_FDCWD, file.c_str(), W_OK, AT_EACCESS) == 0; }
 
 std::FILE* create_like(const fs::path& path, const fs::path& other) {
   struct stat info {};
   const bool present = stat(other.c_str(), &info) == 0;
-  const mode_t mode = present ? info.st_mode & 0777 : 0666;
-  const int descriptor = open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+  const int descriptor = open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, present ? 0600 : 0666);
   if (descriptor < 0) return nullptr;
-  if (present) take_owner(descriptor, info);
-  std::FILE* const stream = !present || fchmod(descriptor, mode) == 0 ? fdopen(descriptor, "w+b") : nullptr;
+  std::FILE* const stream = !present || fchmod(descriptor, like(descriptor, info)) == 0 ? fdopen(descriptor, "w+b") : nullptr;
   if (stream) return stream;
   const int error = errno;
   close(descriptor);
@@ -110,7 +117,11 @@ std::FILE* create_like(const fs::path& path, const fs::path& other) {
 std::string pour(std::FILE* from, const fs::path& to, int stream) {
   if (stream == STDOUT_FILENO) std::fflush(stdout);
   const int descriptor = stream >= 0 ? fcntl(stream, F_DUPFD_CLOEXEC, 3) : open_stream(to);
-  if (descriptor < 0) return errno == ENXIO ? "nobody reads this pipe, start its reader first" : std::strerror(errno);
+  if (descriptor < 0) {
+    const std::string failure = std::strerror(errno);
+    std::error_code none;
+    return errno == ENXIO && fs::is_fifo(to, none) ? "nobody reads this pipe, start its reader first" : failure;
+  }
   char block[1 << 16];
   bool written = true;
   std::rewind(from);

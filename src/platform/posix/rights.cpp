@@ -55,7 +55,7 @@ std::string other_writers(const std::string& path, const std::string& what, cons
   if (!is_private(info.st_gid))
     return "plugin refused: " + what + " can be written to by group " + std::to_string(info.st_gid) +
            ", which is not the private group of user " + std::to_string(geteuid()) + "; chmod g-w it";
-  // The mode shows no more than the group's right for all whom a list names.
+  // With an access list, the mode's bits for the group are only an upper bound for all that the list names.
   if (has_access_list(path)) return "plugin refused: " + what + " has an access list, which may let others write; setfacl -b it";
   return {};
 }

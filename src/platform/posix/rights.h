@@ -7,12 +7,12 @@
 
 namespace rc_platform {
 
-// Why nothing is loaded from `path`, an absolute one, as a whole sentence; "" if nothing speaks against it. Every folder on the
-// way is looked at, from the root on and through links, before what it holds: what has been found stays so, unless root or the
-// user change it.
+// Why nothing is loaded from `path`, an absolute one, as a whole sentence; "" if nothing speaks against it. Checks every
+// folder of the path from the root on, also through links, each before its entries: later only root or the user can change what
+// was checked.
 std::string distrust(const std::string& path);
 
-// The same for the file itself, from what is known of it when it is open.
+// The same for the file itself, from its status once it is open.
 std::string distrust(const std::string& path, const struct stat& file);
 
 }  // namespace rc_platform

@@ -10,6 +10,9 @@ namespace rc_platform {
 
 bool reach_disk(int descriptor);  // false with the cause in errno
 
+// Takes a signal that this thread blocks if it is pending, so that it is not delivered. Does not wait for one.
+void take_pending(int signal);
+
 inline bool same_file(const struct stat& a, const struct stat& b) { return a.st_ino == b.st_ino && a.st_dev == b.st_dev; }
 
 bool administers(gid_t group);                  // whether its members may become root

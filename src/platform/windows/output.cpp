@@ -12,6 +12,7 @@ QuietWrites::QuietWrites() = default;
 QuietWrites::~QuietWrites() = default;
 
 int own_descriptor(const fs::path&) { return -1; }
+std::string stream_refusal(int) { return ""; }
 
 std::string pour(std::FILE* from, const fs::path& path, int) {
   std::FILE* const to = _wfopen(path.c_str(), L"wbN");

@@ -67,7 +67,7 @@ void no_contact_is_zero() {
   }
 }
 
-// Of Hertz's pressure p0 sqrt(1 - r^2/a^2) a share p^2/p0^2 of the area is below p.
+// Hertz's pressure p0 sqrt(1 - r^2/a^2) is below p on a share p^2/p0^2 of the area.
 void hertz_pressures_have_a_linear_density() {
   constexpr std::int64_t n = 401, bins = 10;
   constexpr double radius = 180, p0 = 3;

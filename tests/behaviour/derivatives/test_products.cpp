@@ -1,4 +1,4 @@
-// What derivatives cost, counted in products with H.
+// The cost of derivatives, counted in products with H.
 #include <random>
 
 #include "calls.h"

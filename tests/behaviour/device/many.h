@@ -25,7 +25,8 @@ struct Scene {
   std::vector<std::uint8_t> masks;
 
   std::size_t points() const { return static_cast<std::size_t>(system.nx * system.ny); }
-  // Of the layer below, for all contacts together, each of which is checked; a step of a contact by itself makes hundreds.
+  // The most calls of the CUDA runtime that a batch makes for all its contacts together; one step of a contact by itself makes
+  // hundreds.
   std::int64_t few_calls() const { return 150 * steps; }
 };
 

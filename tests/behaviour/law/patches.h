@@ -45,7 +45,7 @@ const rc_law* usual_law();                                                      
 void refuses(rc_status status, const std::string& part, const std::string& what);  // ARGUMENT, and the message has the part
 std::vector<double> overclosures(const rc_law* law);                               // of all magnitudes of a law, and beyond it
 
-// What a solve of its own says at a nominal pressure; from the surface as it was, to tol 1e-11.
+// The result of a separate solve at a nominal pressure, from the surface as it was, to tol 1e-11.
 struct Truth {
   double x, p, slope, energy, area;
 };

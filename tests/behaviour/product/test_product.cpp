@@ -25,7 +25,7 @@ Product made(const rc_system& system, const rc_options* options = nullptr) {
   return Product(product);
 }
 
-// Of both signs.
+// Pressures of both signs.
 Field pressures(std::size_t n) {
   Field p(n);
   for (std::size_t i = 0; i < n; ++i) p[i] = std::sin(1.7 * static_cast<double>(i)) + 0.3;

@@ -64,7 +64,7 @@ static const double lowest = 0.3; /* gap at the highest peak, about */
 
 enum { waves = 12, factors = 4 };
 
-/* Of every x, or y, and wave: cosine and sine of its share of a, and of its share of 2.7 a. */
+/* For every x, or y, and wave: cosine and sine of its share of a, and of its share of 2.7 a. */
 static double* shares(int64_t n, int of_x) {
   double* const all = (double*)malloc((size_t)(n * waves * factors) * sizeof(double));
   for (int64_t i = 0; i < n; ++i)

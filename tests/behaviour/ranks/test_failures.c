@@ -175,6 +175,38 @@ static void stops(const scene* s) {
   free_job(j);
 }
 
+/* The flag of one rank ends the calls of all, whenever it is set: before a history, or in one of its steps. */
+static int32_t flag;
+static int32_t set_flag(int64_t step, const rc_result* result, void* user) {
+  (void)result, (void)user;
+  flag = step == 1 && rank == ranks - 1;
+  return 0;
+}
+static void flags(const scene* s) {
+  job j = job_of(s);
+  rc_mpi_contact* contact = NULL;
+  const double targets[] = {0.5 * j.step.target, 0.7 * j.step.target, j.step.target};
+  rc_history path = RC_HISTORY_INIT;
+  path.control = j.step.control;
+  path.n = 3;
+  path.targets = targets;
+  path.undeformed_gap = j.gap;
+  check(rc_mpi_contact_create(MPI_COMM_WORLD, &j.system, j.options, &contact) == RC_OK, "create");
+  rc_stop_when(&flag);
+  flag = rank == ranks - 1;
+  check_failed(rc_mpi_contact_solve(contact, &j.step, &j.result), RC_STOP_CANCELLED, "rc_stop_when", "a flag before a step");
+  check_failed(rc_mpi_contact_solve_history(contact, &path), RC_STOP_CANCELLED, "rc_stop_when", "a flag before a history");
+  check(rank < ranks - 1 || path.completed == 0, "no step");
+  flag = 0;
+  path.fn = set_flag;
+  check_failed(rc_mpi_contact_solve_history(contact, &path), RC_STOP_CANCELLED, "rc_stop_when", "a flag in a history");
+  check(path.completed >= 2, "two steps");
+  rc_stop_when(NULL);
+  check(rc_mpi_contact_solve(contact, &j.step, &j.result) == RC_OK, "a good step after a flag");
+  rc_mpi_contact_destroy(contact);
+  free_job(j);
+}
+
 /* Every call of a solve fails once, each time on another rank. step: between those that are tried. */
 static void every_call(const scene* s, int step) {
   job j = job_of(s);
@@ -227,6 +259,10 @@ int main(int argc, char** argv) {
   stops(&s);
   stops(&sparse);
   stops(&periodic);
+  flags(&small);
+  flags(&s);
+  flags(&sparse);
+  flags(&periodic);
   every_call(&small, 1);
   every_call(&s, getenv("RC_TEST_QUICK") ? 23 : 1);
   every_call(&sparse, getenv("RC_TEST_QUICK") ? 29 : 5);

@@ -174,7 +174,7 @@ std::optional<Field> solution_by_enumeration(const RandomProblem& problem) {
       if (members >> i & 1u) set.push_back(i);
     Field x;
     if (!solve_on(problem, set, x) || std::any_of(x.begin(), x.end(), [](double value) { return value < 0; })) continue;
-    // Of the sets whose solution pushes everywhere the right one has the least energy, -1/2 u'p.
+    // The contact set has the least energy, -1/2 u'p, among the sets on which all pressures are positive.
     double energy = 0;
     for (std::size_t k = 0; k < set.size(); ++k) energy -= 0.5 * problem.u[set[k]] * x[k];
     if (energy >= least) continue;

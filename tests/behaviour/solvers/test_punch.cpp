@@ -152,7 +152,7 @@ void other_operators() {
   problem.system.ny = 1;
   problem.system.dense = H.data();
   problem.system.dense_ld = 3;
-  // Of the points 0 and 2: the sum of the inverse of (2 .25; .25 4).
+  // The stiffness on points 0 and 2 is the sum of the entries of the inverse of (2 .25; .25 4).
   const double exact = (4 + 2 - 2 * 0.25) / (2 * 4 - 0.25 * 0.25);
   const Punch punch = pressed(problem, {1, 0, 1}, by_factors);
   check_near(punch.stiffness, exact, 1e-14, "a matrix");

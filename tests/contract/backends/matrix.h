@@ -31,7 +31,7 @@ class Matrix {
   double norm_ = 0;
 };
 
-// That of a system which may have been asked for before, by another backend or case.
+// The matrix of a system. It is kept for other backends and cases that ask for it again.
 const Matrix& matrix_of(const rc_system& system, double zero_mode);
 
 Vector random_vector(std::size_t n, unsigned seed);

@@ -28,7 +28,7 @@ class StandInHost : public rc_host {
   // What operators that do not bring their own team use.
   const rc_team* alone() const { return &alone_; }
   std::int64_t threads() const { return std::stoll(options_.at("threads")); }
-  // Of the last fail() in this thread.
+  // The message of the last fail() in this thread.
   static const std::string& message();
 
  private:

@@ -11,7 +11,7 @@ namespace errors {
 
 inline constexpr double untouched = -7;  // what outputs hold before a call
 
-// What a call returned, with the calling thread's message at that moment.
+// The status that a call returned, with the calling thread's message at that moment.
 struct Outcome {
   Outcome(rc_status given) : status(given), message(rc_last_error()) {}
   rc_status status;

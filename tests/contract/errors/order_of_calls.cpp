@@ -139,7 +139,7 @@ Outcome result_over_its_input() {
   return outcome;
 }
 
-// What was made from a context outlives it.
+// Contacts and options that were made from a context outlive it.
 Outcome context_destroyed_first() {
   rc_context* context = nullptr;
   assert_int_equal(rc_context_create(nullptr, &context), RC_OK);

@@ -9,7 +9,7 @@ namespace errors {
 
 namespace {
 
-// What a step without contact leaves.
+// The state that a step without contact leaves.
 struct Stand {
   Scene scene;
   std::vector<double> p = std::vector<double>(scene.gap.size(), 0.0);

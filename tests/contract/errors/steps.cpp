@@ -30,7 +30,7 @@ auto periodic_approach(double target) {
   };
 }
 
-// Of hardness 2 on 16 points.
+// A step with hardness 2 on 16 points.
 auto hard(double target, std::initializer_list<std::pair<const char*, const char*>> settings = {},
           std::int32_t control = RC_CONTROL_LOAD) {
   return [=, kept = std::vector(settings)] {

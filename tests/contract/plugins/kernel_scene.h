@@ -12,7 +12,7 @@ namespace plugins {
 inline constexpr std::int64_t side = 12;
 inline constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
 
-// What a kernel says, spoilt on purpose.
+// Changes of a kernel's values, made on purpose.
 struct Spoilt {
   std::int64_t x = -1, y = -1;  // where it says `value`
   double value = 0, factor = 1, lowest = 0, share = 0;

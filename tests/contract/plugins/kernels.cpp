@@ -86,7 +86,7 @@ void its_options_are_fixed(void**) {
   rc_options_destroy(options);
 }
 
-// Of a kernel with one member changed.
+// The status of registering a kernel with one member changed.
 rc_status registered(const std::function<void(rc_kernel&)>& change) {
   const Registry registry("", RC_CONTEXT_NO_PLUGINS);
   Spoilt sound;

@@ -8,6 +8,8 @@
 #include <roughcontact/derivatives.h>
 #include <roughcontact/history.h>
 #include <roughcontact/law.h>
+#include <roughcontact/ranks.h>
+#include <roughcontact/registry.h>
 #include <roughcontact/surface.h>
 #include <signal.h>
 #include <stdio.h>
@@ -38,6 +40,14 @@ __attribute__((visibility("default"))) int pthread_create(pthread_t* thread, con
   int (*start)(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*) = NULL;
   *(void**)&start = dlsym(RTLD_NEXT, "pthread_create");
   return threads_refused ? EAGAIN : start(thread, attributes, body, argument);
+}
+
+/* A signal of the process is pending, and another thread takes it before this one does. */
+static int signal_is_taken;
+__attribute__((visibility("default"))) int sigpending(sigset_t* pending) {
+  sigemptyset(pending);
+  if (signal_is_taken) sigaddset(pending, SIGPIPE);
+  return 0;
 }
 
 static void check(int holds, const char* call, const char* what) {
@@ -260,6 +270,53 @@ static void signals_reach_the_host(void) {
   check(batch() == RC_OK && helpers && !helpers_that_take_signals, "signal", "a thread of a batch would take it");
 }
 
+/* Calls that must not be cut short return, although a cancellation is pending. */
+static int calls_that_returned;
+static rc_ranks_contact* shared;
+static void* call_at_the_end(void* unused) {
+  (void)unused;
+  pthread_cancel(pthread_self());
+  rc_ranks_contact_destroy(shared);
+  ++calls_that_returned;
+  if (rc_usable_cores(0) >= 1) ++calls_that_returned;
+  if (rc_file_write("/dev/null", "text", 4) == RC_OK) ++calls_that_returned;
+  pthread_testcancel();
+  return NULL;
+}
+static const char* gather(void* user, const void* mine, const int64_t* bytes, void* all) {
+  return (void)user, memmove(all, mine, (size_t)*bytes), NULL;
+}
+static const char* transpose(void* user, const void* from, const int64_t* sent, void* into, const int64_t* received) {
+  return (void)user, (void)received, memmove(into, from, (size_t)*sent), NULL;
+}
+static const char* shift(void* user, int64_t to, const void* from, int64_t sent, int64_t source, void* into, int64_t received) {
+  return (void)user, (void)to, (void)from, (void)sent, (void)source, (void)into, (void)received, NULL;
+}
+static void short_calls_return(void) {
+  rc_exchange alone = RC_EXCHANGE_INIT;
+  rc_system system = RC_SYSTEM_INIT;
+  pthread_t thread;
+  void* ending = NULL;
+  alone.gather = gather;
+  alone.transpose = transpose;
+  alone.shift = shift;
+  system.op = RC_OPERATOR_HALFSPACE;
+  system.boundary = RC_BOUNDARY_PERIODIC;
+  system.nx = system.ny = 64;
+  system.hx = system.hy = system.modulus = 1;
+  rc_options_set_int(options, RC_OPT_THREADS, 3);
+  check(rc_ranks_contact_create(&alone, &system, options, &shared) == RC_OK, "short calls", rc_last_error());
+  pthread_create(&thread, NULL, call_at_the_end, NULL);
+  pthread_join(thread, &ending);
+  check(ending == PTHREAD_CANCELED && calls_that_returned == 3, "short calls", "one of them did not return");
+
+  signal_is_taken = 1;
+  alarm(5);
+  check(rc_file_write("/dev/null", "text", 4) == RC_OK, "short calls", rc_last_error());
+  alarm(0);
+  signal_is_taken = 0;
+}
+
 static void without_a_second_thread(void) {
   rc_options_set_int(options, RC_OPT_THREADS, 4);
   threads_refused = 1;
@@ -290,6 +347,7 @@ int main(void) {
 
   without_a_second_thread();
   signals_reach_the_host();
+  short_calls_return();
   for (size_t i = 0; i < sizeof calls / sizeof *calls; ++i)
     for (int threads = 1; threads <= 3; threads += 2) {
       if (calls[i].is_surface && threads > 1) continue;

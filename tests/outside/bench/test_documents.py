@@ -108,7 +108,7 @@ def check_case(document, case):
             assert point['seconds'] > 0, (name, point)
             # The load is second order in the residual, pressures are first order with a constant of the matrix.
             assert point['load_error'] < 20 * point['tol'] and point['pressure_error'] < 100 * point['tol'], (name, point)
-        # Those with a matrix may be stopped at their limit of time.
+        # Solves with a matrix may be stopped at their time limit.
         assert any(part in name for part in ('single', 'dense', 'cholmod')) or points[-1]['tol'] <= 1e-4, (name, points)
     assert known[FAST][-1]['pressure_error'] < 1e-6 < grid_error(document, case, 'pressure_error') < 0.3
     loads = {grid: points[-1]['true_load_error'] for (grid, kernel), points in grids(document, case).items()}

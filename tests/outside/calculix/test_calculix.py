@@ -16,7 +16,7 @@ COMPLIANCE = 2 * deck.EDGE / deck.YOUNG  # mm/MPa, of both cubes
 
 
 class Law:
-    """Of a file, through the library itself."""
+    """The law of a file, read by the library itself."""
 
     def __init__(self, library, path):
         self.library = ctypes.CDLL(str(library))

@@ -74,14 +74,14 @@ def test_tables(answers):
 
 
 def columns_of_the_command():
-    """Of steps.csv, from the source that writes it."""
+    """The columns of steps.csv, from the source that writes them."""
     source = (pathlib.Path(__file__).parents[3] / "tools" / "files" / "step_fields.cpp").read_text()
     fields = source[source.index("step_fields(") : source.index("return fields")]
     return re.findall(r'\{"(\w+)", ', fields)
 
 
 def test_tables_have_the_columns_of_the_command(answers, rough):
-    """Those of steps.csv under the same names and in the same order, and the prescribed pressure."""
+    """Tables have the columns of steps.csv, under the same names and in the same order, and the prescribed pressure."""
     history = rc.history(rough, modulus=1e9, pressure=[1e4, 3e4])
     rows = [answer._columns() for answer in answers[:2]] + [history._columns()]
     names = columns_of_the_command()

@@ -11,7 +11,7 @@ NUMBER = re.compile(r'(p|w|gap|load|approach|energy) ([0-9a-f]{16})')
 
 
 def cases_of(file):
-    """Of each case its text, and its numbers by name."""
+    """The text of each case, and its numbers by name."""
     cases, text, numbers = [], [], {}
     for line in open(file, encoding='utf-8', newline=''):
         assert line.endswith('\n') and not line.endswith('\r\n'), f'{file}: {line!r}'

@@ -238,6 +238,17 @@ class Outputs(CommandTest):
                 self.assertEqual(os.readlink(path), stream)
                 path.unlink()
 
+    def test_streams_that_take_nothing(self):
+        """They are refused before any work is done: the message names the option."""
+        for form, path, begin in self.each_form():
+            for stream, says in (("/dev/fd/99", "Bad file descriptor"), ("/proc/self/fd/0", "this stream is open for reading only")):
+                path.symlink_to(stream)
+                with open(self.folder / "z.npy", "rb") as readable:
+                    done = self.written(form, "there/a", stdin=readable)
+                self.assertEqual(done.returncode, 1, (form, done.stderr))
+                self.assertRegex(done.stderr, r"roughcontact: --\S+.*: cannot write .*there/a.*: %s" % says)
+                path.unlink()
+
     def test_a_limit_of_file_sizes(self):
         for form, path, begin in self.each_form():
             for old in (False, True):
@@ -259,6 +270,21 @@ class Outputs(CommandTest):
             path.parent.chmod(0o777)
             path.chmod(0o444)
             self.assert_refuses(form, "Permission denied", preexec_fn=nobody)
+
+    def test_a_group_that_cannot_be_kept(self):
+        """Its rights do not go to the members of another group."""
+        self.folder.chmod(0o755)
+        if os.getuid() != 0 or self.run_command("--version", preexec_fn=nobody).returncode != 0:
+            self.skipTest("the command cannot be started by another user")
+        for form, path, begin in self.each_form():
+            path.parent.chmod(0o777)
+            for mode, kept in ((0o660, 0o600), (0o664, 0o644), (0o600, 0o600)):
+                path.write_text("old")
+                os.chown(path, NOBODY, 12345)
+                path.chmod(mode)
+                self.assertEqual(self.written(form, "there/a", preexec_fn=nobody).returncode, 0)
+                written = path.stat()
+                self.assertEqual((written.st_gid, oct(written.st_mode & 0o777)), (NOBODY, oct(kept)))
 
     def test_a_picture_that_is_cut_off(self):
         self.file("bin/gnuplot", "#!/bin/sh\nprintf '\\211PNG\\r\\n\\032\\n half a picture'\n")
@@ -328,8 +354,9 @@ class Outputs(CommandTest):
         with open(self.folder / "long.law", "wb") as file:
             file.write(b"roughcontact-law 1\n")
             file.truncate(1 << 40)
+        (self.folder / "circle.law").symlink_to("circle.law")
         for name, says in (("folder.law", "it is a folder"), ("pipe.law", "it is a pipe"), ("zero.law", "it is a device"), ("sparse.law", "does not begin with"),
-                           ("long.law", "more than the 4000000000"), ("absent.law", "there is no such file")):
+                           ("long.law", "more than the 4000000000"), ("circle.law", "Too many levels of symbolic links"), ("absent.law", "there is no such file")):
             self.assert_fails("law", name, says=[name, says], timeout=20)
 
 

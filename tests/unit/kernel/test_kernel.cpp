@@ -74,7 +74,7 @@ void registry_is_sorted_and_finds_every_kernel(void**) {
   assert_null(rc::kernel::find(""));
 }
 
-// Of unit cells, to ten digits, computed independently of the reference file.
+// Coefficients of unit cells to ten digits, computed independently of the reference file.
 void published_values_are_met(void**) {
   constexpr std::array<std::array<int, 2>, 7> offsets{{{0, 0}, {1, 0}, {1, 1}, {2, 0}, {2, 1}, {3, 0}, {10, 0}}};
   const std::map<std::string, std::array<double, 7>> values{

@@ -30,8 +30,8 @@ BINS = 60
 
 @dataclass(frozen=True, eq=False)
 class Maps:
-    """Of the surface as pressed, and of the last step: block by block of side x side points, heights, gaps and shares of contact
-    their means, pressures the largest."""
+    """Maps of the surface as pressed and of the last step, in blocks of side x side points: the means of heights, gaps and shares
+    of contact, the largest pressures."""
 
     side: int
     pitch: Tuple[float, float]

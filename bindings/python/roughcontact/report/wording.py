@@ -104,7 +104,7 @@ PROOF_HEAD = (
 
 
 def _errors(step: Result) -> str:
-    """Of a coarser grid that was solved for the goal of --accuracy."""
+    """The errors of a coarser grid, if one was solved for the goal of --accuracy."""
     accuracy = step.accuracy
     if step.status != Status.WITHIN_GOAL or accuracy is None:
         return "this grid was solved"

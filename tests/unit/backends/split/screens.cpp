@@ -198,7 +198,7 @@ void screen_of_nothing_finds_all_below_the_approach(void**) {
 
 namespace {
 
-// Of the points that are looked at, tile by tile.
+// The lowest gap of each tile over its points that are not masked.
 Vector lowest_of_tiles(const Grid& grid, const Surface& surface) {
   const std::int64_t columns = (grid.nx + 15) / 16, rows = (grid.ny + 15) / 16;
   Vector lowest(static_cast<std::size_t>(columns * rows), std::numeric_limits<double>::infinity());
