@@ -22,22 +22,34 @@ bool is_letter(char c) {
 
 bool is_one_of(std::string_view word, std::string_view list) { return list.find(join("|", word, "|")) != list.npos; }
 
+constexpr std::string_view of_heights =
+    "|height|heights|hoehe|hoehen|h\xc3\xb6he|h\xf6he|h\xc3\xb6hen|h\xf6hen|topography|topographie|elevation|hauteur|altezza|"
+    "altura|";
+constexpr std::string_view of_all = "|all|length|lengths|coordinates|unit|units|einheit|";
+constexpr std::string_view of_values = "|value|values|data|";
+constexpr std::string_view known_words[] = {of_heights, of_all, of_values, "|of|the|are|is|given|surface|der|"};
+
+// Words in lower case: runs of letters and digits.
+std::vector<std::string> letters_of(std::string_view name) {
+  std::vector<std::string> found;
+  const std::string lower = lower_case(name);
+  for (auto first = std::ranges::find_if(lower, is_letter); first != lower.end();) {
+    const auto end = std::find_if_not(first, lower.end(), is_letter);
+    found.emplace_back(first, end);
+    first = std::find_if(end, lower.end(), is_letter);
+  }
+  return found;
+}
+
 Axis axis_of(std::string_view name) {
   bool x = false, y = false, z = false, heights = false, all = false, values = false;
-  const std::string lower = lower_case(name);
-  for (std::string_view rest = lower; !rest.empty();) {
-    const auto first = std::ranges::find_if(rest, is_letter);
-    const auto end = std::find_if_not(first, rest.end(), is_letter);
-    const std::string_view word(first, end);
-    rest = std::string_view(end, rest.end());
+  for (const std::string& word : letters_of(name)) {
     x |= word == "x";
     y |= word == "y";
     z |= word == "z";
-    heights |= is_one_of(word,
-                         "|height|heights|hoehe|hoehen|h\xc3\xb6he|h\xf6he|h\xc3\xb6hen|h\xf6hen|topography|topographie|"
-                         "elevation|hauteur|altezza|altura|");
-    all |= is_one_of(word, "|all|length|lengths|coordinates|unit|units|einheit|");
-    values |= is_one_of(word, "|value|values|data|");
+    heights |= is_one_of(word, of_heights);
+    all |= is_one_of(word, of_all);
+    values |= is_one_of(word, of_values);
   }
   if (x + y + z == 1) return x ? Axis::x : y ? Axis::y : Axis::z;
   if (x || y || z) return Axis::none;
@@ -131,6 +143,8 @@ bool Labels::all_named() const {
   return std::ranges::none_of(each, [](const Label& label) { return label.axis == Axis::none; });
 }
 
+bool Labels::all_clear() const { return std::ranges::all_of(each, is_clear); }
+
 Labels labels_of(std::string_view line) {
   for (const char separator : {';', '\t', ','}) {
     if (line.find(separator) == line.npos) continue;
@@ -141,8 +155,18 @@ Labels labels_of(std::string_view line) {
   const bool brackets = first_bracket(line) < line.size();
   Labels labels{all_of(brackets ? bracketed(line) : words_with_units(line)), ' '};
   const auto with_unit = [](const Label& label) { return metres_per(label.unit).has_value(); };
-  if (!labels.all_named() && !std::ranges::all_of(labels.each, with_unit)) labels.each = {label_of(line)};
+  const bool one_name = std::ranges::any_of(labels.each, [](const Label& label) { return label.axis == Axis::all; });
+  if (one_name || (!labels.all_named() && !std::ranges::all_of(labels.each, with_unit))) labels.each = {label_of(line)};
   return labels;
+}
+
+bool is_clear(const Label& label) {
+  const auto words = letters_of(label.name);
+  if (!words.empty() && words.back().find_first_not_of("0123456789") == std::string::npos) return false;
+  const auto is_axis = [](const std::string& word) { return is_one_of(word, "|x|y|z|"); };
+  return std::ranges::any_of(words, is_axis) || std::ranges::all_of(words, [](const std::string& word) {
+           return std::ranges::any_of(known_words, [&](std::string_view list) { return is_one_of(word, list); });
+         });
 }
 
 bool mentions_unit(std::string_view line) {

@@ -15,11 +15,16 @@ struct Label {
 
 Label label_of(std::string_view text);
 
+// Whether a unit beside the name is that of the axis: not in "cut-off length [mm]", a length of something else, nor in "x: 5 mm",
+// a value.
+bool is_clear(const Label& label);
+
 struct Labels {
   std::vector<Label> each;
   char separator = ' ';
 
   bool all_named() const;  // all stand for an axis
+  bool all_clear() const;
 };
 
 // The labels in a line, separated by semicolons, tabs or commas; else by white space or the brackets around their units, if all

@@ -30,7 +30,7 @@ struct Surface {
     double metres;
   };
   std::vector<Length> lengths;
-  std::string unclear_unit;  // a line of the header with a unit that may or may not be that of the lengths; "" if there is none
+  std::string unclear_unit;  // a line with a unit that may or may not be that of the lengths; "" if there is none
   std::string file;          // its name, for messages
   std::string format;        // name of the format that was read
   std::string note;          // what the user should know about the file; "" if nothing

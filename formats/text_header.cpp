@@ -247,14 +247,20 @@ void TextHeader::read_words(std::string_view line) {
   above_ = std::exchange(last_, labels_of(line));
   const bool named = last_.all_named();
   const std::string_view only = last_.each.size() == 1 ? last_.each.front().unit : "";
-  if (!only.empty() && named && !metres_per(only) && !line.ends_with(']')) {  // "Height (forward)"
-    if (unclear_unit.empty()) unclear_unit = line;
+  const bool has_unit = std::ranges::any_of(last_.each, [](const Label& label) { return !label.unit.empty(); });
+  if (named && has_unit && (!last_.all_clear() || (!only.empty() && !metres_per(only) && !line.ends_with(']')))) {
+    if (unclear_unit.empty()) unclear_unit = line;  // "Height (forward)"
   } else if (named && (last_.each.size() > 1 || !only.empty())) {
     set_units(last_.each);
     named_ = last_;
   } else if (unclear_unit.empty() && mentions_unit(line)) {
     unclear_unit = line;
   }
+}
+
+bool TextHeader::names_unit() const {
+  const std::string_view units[] = {width_unit, height_unit, x_unit, y_unit, z_unit, all_unit, unclear_unit};
+  return std::ranges::any_of(units, [](std::string_view unit) { return !unit.empty(); });
 }
 
 void TextHeader::set_units(const std::vector<Label>& labels) {

@@ -42,6 +42,9 @@ struct TextHeader {
   // A line before the first row that is words: units of named lengths, names of columns, or a remark.
   void read_words(std::string_view line);
 
+  // Whether any line was about a unit.
+  bool names_unit() const;
+
   // Finds the heads of the columns in the last lines of words. separator: of the numbers.
   void settle_columns(std::int64_t count, char separator);
 

@@ -52,6 +52,7 @@ class TableReader {
         TextHeader next;
         const bool begins_map = (rows_.empty() ? table_.header : next).read_comment(trimmed(line.substr(1)));
         other_header |= begins_map && !rows_.empty();
+        if (unit_after_.empty() && next.names_unit()) unit_after_ = line;
       } else if (other_header && !points_) {
         table_.more_headers = true;
         break;
@@ -87,6 +88,9 @@ class TableReader {
     }
     if (!is_row && numbers == 0) {  // words that may end the file
       if (words_after_.empty()) words_after_ = not_a_row(fields);
+      TextHeader after;
+      if (!after.read_line(line)) after.read_words(line);
+      if (unit_after_.empty() && after.names_unit()) unit_after_ = line;
       return;
     }
     if (!is_row) throw Error(not_a_row(fields));
@@ -151,6 +155,7 @@ class TableReader {
     table_.values.resize(to);
     table_.rows = end;
     table_.header.settle_columns(table_.columns, separator_);
+    if (table_.header.unclear_unit.empty()) table_.header.unclear_unit = unit_after_;
   }
 
   [[noreturn]] void refuse_count(std::int64_t number, const Row& row) const {
@@ -167,6 +172,7 @@ class TableReader {
   char separator_ = ' ';
   bool after_blank_ = false;
   std::string suspect_, words_after_;  // what is wrong with the last line before the rows that has numbers; with one after them
+  std::string unit_after_;             // the first line after the rows that names a unit
   std::size_t suspect_fields_ = 0;
 };
 

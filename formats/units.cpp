@@ -83,7 +83,7 @@ void check_units(const BareUnit& unit, std::initializer_list<const Surface*> sur
   const bool complete = std::ranges::all_of(surfaces, [](const Surface* each) { return bare(*each).empty(); });
   for (const Surface* const surface : surfaces) {
     if (!unit.given && !surface->unclear_unit.empty() && !bare(*surface).empty())
-      throw Error(surface->file, ": the header says ", in_quotes(surface->unclear_unit), ", but not whether that is the unit of ",
+      throw Error(surface->file, ": the file says ", in_quotes(surface->unclear_unit), ", but not whether that is the unit of ",
                   bare_lengths(*surface), "; give their unit");
     if (!unit.given || !complete) continue;
     for (const auto& length : surface->lengths) {

@@ -61,6 +61,27 @@ class Text(ReaderTest):
         self.assert_reads("a.txt", nova + "Z [nm]\nnan 2\n3 4\n", np.array([[np.nan, 2], [3, 4]]) * 1e-9, (1e-6, 1e-6), atol=0)
         self.assert_refused("a.txt", "# X [furlong]\n# Z [nm]\n" + rows, '"furlong", is not a length')
 
+    def test_units_of_something_else_are_not_those_of_the_heights(self):
+        points = "".join("%d %d %d\n" % (i, j, 3 * i + j) for j in range(3) for i in range(3))
+        z = np.array([[3.0 * i + j for i in range(3)] for j in range(3)])
+        others = ("Cutoff length: 0.8 mm", "Scan length 5 mm", "Length: 5 mm", "Evaluation length [mm]", "Unit cell 5 mm", "Lateral unit: mm", "Step height standard (nm)",
+                  "x offset: 3 mm", "Y: 5 mm", "X: 5 mm, Y: 3 mm", "Data acquired at 532 nm", "Height difference: 3 um", "Max height = 3 um", "Z range: 20 um")
+        for line in others:
+            self.assert_refused("a.xyz", "# %s\n%s" % (line, points), ['the file says "%s"' % line, "give their unit"])
+            self.assert_reads("a.xyz", "# %s\n%s" % (line, points), z * 1e-6, (1e-6, 1e-6), "--unit", "um", atol=0)
+            self.assert_reads("a.xyz", "# %s\nX [mm];Y [mm];Z [um]\n%s" % (line, points.replace(" ", ";")), z * 1e-6, (1e-3, 1e-3), atol=0)
+        for line in ("Z unit: um", "Height unit: um", "Unit of the heights: um", "Heights are given in um", "Z-Unit [um]", "Column 3: Z [um]"):
+            self.assert_reads("a.xyz", "# %s\n%s" % (line, points), z * 1e-6, (1, 1), note="names none of its pitch", atol=0)
+        for line in ("lengths in um", "All lengths are in um", "Unit of length: um", "Units of all coordinates [um]"):
+            self.assert_reads("a.xyz", "# %s\n%s" % (line, points), z * 1e-6, (1e-6, 1e-6), atol=0)
+
+    def test_units_after_the_numbers_are_not_passed_over(self):
+        rows, z = "1 2\n3 4\n", np.array([[1, 2], [3, 4.0]])
+        for line in ("# Unit: um", "Unit: um", "# Z [um]", "Heights in um", "# Z / um"):
+            self.assert_refused("a.txt", rows + line + "\n", ['the file says "%s"' % line, "give their unit"])
+            self.assert_reads("a.txt", rows + line + "\n", z * 1e-9, (None, None), "--unit", "nm", atol=0)
+            self.assert_reads("a.txt", "# Z [nm]\n" + rows + line + "\n", z * 1e-9, (None, None), atol=0)
+
     def test_exports_as_instruments_write_them(self):
         z = np.array([[1.5, np.nan, 2.5], [0.5, 1.0, 2.0]])
         for text in ("1.5;;2.5\n0.5;1;2\n", "1,5;;2,5;\n0,5;1;2;\n", "1.5\t\t2.5\n0.5\t1\t2\n", "1.5,,2.5\n0.5,1,2\n", "\t1.5\t\t2.5\n\t0.5\t1\t2\n",
