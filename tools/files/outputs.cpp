@@ -1,6 +1,7 @@
 #include "files/outputs.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <system_error>
 
 #include "formats/error.h"
@@ -20,10 +21,16 @@ void refuse_if(const std::string& failure, const fs::path& path, const std::stri
 }  // namespace
 
 void write_output(const fs::path& path, const std::function<bool(std::FILE*)>& fill) {
+  std::fflush(stdout);  // if the output is the same stream, what was printed before comes first
   refuse_if(rc_platform::write_output(path, fill), path);
 }
 
-void write_output(const fs::path& path, const std::string& text) { refuse_if(rc_platform::write_output(path, text), path); }
+void write_output(const fs::path& path, const std::string& text) {
+  write_output(path, [&](std::FILE* file) {
+    std::fwrite(text.data(), 1, text.size(), file);
+    return true;
+  });
+}
 
 void check_outputs(const std::vector<std::string>& inputs, const std::vector<std::pair<std::string, std::string>>& outputs) {
   std::error_code none;

@@ -115,7 +115,6 @@ std::FILE* create_like(const fs::path& path, const fs::path& other) {
 }
 
 std::string pour(std::FILE* from, const fs::path& to, int stream) {
-  if (stream == STDOUT_FILENO) std::fflush(stdout);
   const int descriptor = stream >= 0 ? fcntl(stream, F_DUPFD_CLOEXEC, 3) : open_stream(to);
   if (descriptor < 0) {
     const std::string failure = std::strerror(errno);
