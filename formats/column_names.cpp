@@ -27,6 +27,7 @@ constexpr std::string_view of_heights =
     "altura|";
 constexpr std::string_view of_all = "|all|length|lengths|coordinates|unit|units|einheit|";
 constexpr std::string_view of_values = "|value|values|data|";
+constexpr std::string_view of_time = "|am|pm|";
 constexpr std::string_view known_words[] = {of_heights, of_all, of_values, "|of|the|are|is|given|surface|der|"};
 
 // Words in lower case: runs of letters and digits.
@@ -145,6 +146,12 @@ bool Labels::all_named() const {
 
 bool Labels::all_clear() const { return std::ranges::all_of(each, is_clear); }
 
+bool Labels::all_or_no_units() const {
+  const auto with = [](const Label& label) { return label.axis != Axis::none && !label.unit.empty(); };
+  const auto without = [](const Label& label) { return label.axis != Axis::none && label.unit.empty(); };
+  return !std::ranges::any_of(each, with) || !std::ranges::any_of(each, without);
+}
+
 Labels labels_of(std::string_view line) {
   for (const char separator : {';', '\t', ','}) {
     if (line.find(separator) == line.npos) continue;
@@ -174,10 +181,14 @@ bool mentions_unit(std::string_view line) {
     rest.remove_prefix(1);
     if (is_sure_unit(trimmed(rest.substr(0, rest.find_first_of(closing))))) return true;
   }
-  constexpr std::string_view in = " in ";
-  for (auto at = line.find(in); at != line.npos; at = line.find(in, at + 1)) {
-    const auto rest = trimmed(line.substr(at + in.size())), word = rest.substr(0, rest.find_first_of(" \t,;.)"));
-    if (is_sure_unit(word)) return true;
+  const auto begins_with_digit = [](std::string_view word) {
+    return !word.empty() && word.front() >= '0' && word.front() <= '9';
+  };
+  const auto words = letters_of(line);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const bool of_number =
+        (i > 0 && begins_with_digit(words[i - 1])) || (i + 1 < words.size() && begins_with_digit(words[i + 1]));
+    if (!of_number && is_sure_unit(words[i]) && !is_one_of(words[i], of_time)) return true;
   }
   return false;
 }

@@ -25,13 +25,14 @@ struct Labels {
 
   bool all_named() const;  // all stand for an axis
   bool all_clear() const;
+  bool all_or_no_units() const;  // of those that stand for an axis
 };
 
 // The labels in a line, separated by semicolons, tabs or commas; else by white space or the brackets around their units, if all
 // are known names or have known units; else the line is one label.
 Labels labels_of(std::string_view line);
 
-// Whether a known unit stands in brackets or after "in" somewhere in the line.
+// Whether a known unit stands in brackets, or as a word that is not beside a number, somewhere in the line.
 bool mentions_unit(std::string_view line);
 
 }  // namespace rc::formats

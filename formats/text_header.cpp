@@ -248,14 +248,13 @@ void TextHeader::read_words(std::string_view line) {
   const bool named = last_.all_named();
   const std::string_view only = last_.each.size() == 1 ? last_.each.front().unit : "";
   const bool has_unit = std::ranges::any_of(last_.each, [](const Label& label) { return !label.unit.empty(); });
-  if (named && has_unit && (!last_.all_clear() || (!only.empty() && !metres_per(only) && !line.ends_with(']')))) {
-    if (unclear_unit.empty()) unclear_unit = line;  // "Height (forward)"
-  } else if (named && (last_.each.size() > 1 || !only.empty())) {
+  const bool odd = !only.empty() && !metres_per(only) && !line.ends_with(']');  // "Height (forward)"
+  const bool clear = last_.all_clear() && last_.all_or_no_units() && !odd;
+  if (named && (has_unit ? clear : last_.each.size() > 1)) {
     set_units(last_.each);
     named_ = last_;
-  } else if (unclear_unit.empty() && mentions_unit(line)) {
-    unclear_unit = line;
   }
+  if (unclear_unit.empty() && (named && has_unit ? !clear : mentions_unit(line))) unclear_unit = line;
 }
 
 bool TextHeader::names_unit() const {
@@ -292,7 +291,8 @@ void TextHeader::settle_columns(std::int64_t count, char separator) {
       std::ranges::count(heads, Axis::y, &Label::axis) == 1)
     other->axis = Axis::z;
   set_units(heads);
-  if (std::ranges::any_of(heads, [](const Label& label) { return !label.unit.empty(); })) unclear_unit.clear();
+  const bool has_unit = std::ranges::any_of(heads, [](const Label& label) { return !label.unit.empty(); });
+  if (has_unit && Labels{heads}.all_or_no_units()) unclear_unit.clear();
 }
 
 std::vector<std::size_t> TextHeader::points() const {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "formats/column_names.h"
 #include "formats/error.h"
 #include "formats/readers.h"
 #include "formats/text_rows.h"
@@ -83,7 +84,12 @@ class TableReader {
     if (!is_row && rows_.empty()) {
       suspect_ = numbers > 0 ? not_a_row(fields) : "";
       suspect_fields_ = fields.size() - (is_empty(fields.back()) ? 1 : 0);
-      if (suspect_.empty()) table_.header.read_words(line);
+      if (suspect_.empty()) {
+        table_.header.read_words(line);
+      } else if (table_.header.unclear_unit.empty() &&
+                 mentions_unit(line)) {  // "* X [mm] Y [mm]", where "*" may be a missing point
+        table_.header.unclear_unit = line;
+      }
       return;
     }
     if (!is_row && numbers == 0) {  // words that may end the file

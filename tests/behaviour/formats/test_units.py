@@ -75,6 +75,18 @@ class Text(ReaderTest):
         for line in ("lengths in um", "All lengths are in um", "Unit of length: um", "Units of all coordinates [um]"):
             self.assert_reads("a.xyz", "# %s\n%s" % (line, points), z * 1e-6, (1e-6, 1e-6), atol=0)
 
+    def test_lines_of_which_only_a_part_is_understood(self):
+        points = "".join("%d %d %d\n" % (i, j, 3 * i + j) for j in range(3) for i in range(3))
+        z = np.array([[3.0 * i + j for i in range(3)] for j in range(3)])
+        for line in ("# X Y Z um", "X,Y,Z in um", "x, y [mm], z [um]", "# x,y: mm, z: um", "X [mm];Y;Z [um]", "# um", "mm", "X,mm",
+                     "X:mm;Y:mm;Z:um", "X.mm;Y.mm;Z.um", "* X [mm] Y [mm] Z [um]"):
+            with self.subTest(line):
+                self.assert_refused("a.xyz", "%s\n%s" % (line, points), "unit")
+        for line in ("um;um;um", "** um, um, um"):
+            self.assert_reads("a.xyz", "%s\n%s" % (line, points), z * 1e-6, (1e-6, 1e-6), atol=0)
+        for line in ("# 10:15 pm", "# Start um 12:05", "# Filter 80 um", "# Objective 50x, 0.95"):
+            self.assert_reads("a.xyz", "%s\n%s" % (line, points), z, (1, 1), note="names none of its pitch and heights")
+
     def test_units_after_the_numbers_are_not_passed_over(self):
         rows, z = "1 2\n3 4\n", np.array([[1, 2], [3, 4.0]])
         for line in ("# Unit: um", "Unit: um", "# Z [um]", "Heights in um", "# Z / um"):
