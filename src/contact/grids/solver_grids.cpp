@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "contact/coarse/level.h"
 #include "contact/grids/grid_contact.h"
-#include "contact/sparse/halved.h"
 #include "core/company.h"
 #include "core/error.h"
 

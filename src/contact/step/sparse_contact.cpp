@@ -9,8 +9,8 @@
 #include <limits>
 #include <utility>
 
+#include "contact/coarse/level.h"
 #include "contact/operators.h"
-#include "contact/sparse/halved.h"
 #include "contact/sparse/region.h"
 #include "contact/sparse/screening.h"
 #include "contact/step/by_approach.h"
@@ -170,9 +170,8 @@ std::optional<Estimate> coarse_estimate(const GridProblem& problem, const Target
   if (std::min(system.nx, system.ny) < 2 * least_sparse_side) return std::nullopt;
   rc_options options = coarse_options(problem.options, monitor);
   options.set(RC_OPT_TOL, std::max(estimate_tol, problem.options.real(RC_OPT_TOL)));
-  const int halvings = problem.surface.gathered() ? 1 : halvings_of(problem.system.points());
-  const HalvedProblem halved(problem, options, halvings);
-  const GridProblem& half = halved.problem();
+  const Level level(problem, options, problem.surface.gathered() ? 1 : halvings_of(problem.system.points()));
+  const GridProblem& half = level.problem();
   if (!target.touches(half.surface)) return std::nullopt;
 
   const Step at{target};
@@ -183,12 +182,12 @@ std::optional<Estimate> coarse_estimate(const GridProblem& problem, const Target
   std::optional<Answer> answer;
   if (choice && coarser && !coarser->dense) answer = solve_few(half, {}, at, *choice, *coarser, attempt);
   if (!answer) {
-    if ((choice || half.surface.gathered()) && (halvings > 1 || !dense)) return std::nullopt;
+    if ((choice || half.surface.gathered()) && (level.halvings() > 1 || !dense)) return std::nullopt;
     answer = target.by_load() ? at_load(half, {}, at, attempt, std::move(coarser)) : at_approach(half, {}, at, attempt, coarser);
   }
   const std::int64_t contacts = count_positive(answer->p);
   if (contacts == 0) return std::nullopt;
-  const Blocks blocks{system.nx, system.ny, std::int64_t{1} << halvings};
+  const Blocks blocks{system.nx, system.ny, std::int64_t{1} << level.halvings()};
   if (GatheredTiles* const gathered = problem.surface.gathered())
     gathered->hold_tiles_of(blocks.points_under(answer->pressures()));
   return Estimate{spread(answer->pressures(), blocks, problem.surface, Cut::same_pressure),
