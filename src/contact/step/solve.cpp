@@ -31,8 +31,9 @@ bool pass_over(const GridProblem& problem, const char* name, const char* option,
 
 Answer answer_of(const GridProblem& problem, const Memory& memory, const Step& step, const std::optional<Estimate>& nearer,
                  Attempt& attempt) {
-  std::optional<Estimate> estimate = nearer;
-  if (std::optional<Answer> sparse = sparse_contact(problem, memory, step, attempt, estimate)) return std::move(*sparse);
+  SparseContact sparse = sparse_contact(problem, memory, step, nearer, attempt);
+  if (sparse.answer) return std::move(*sparse.answer);
+  std::optional<Estimate> estimate = nearer ? nearer : std::move(sparse.instead);
   return step.target.by_load() ? at_load(problem, memory, step, attempt, std::move(estimate))
                                : at_approach(problem, memory, step, attempt, estimate);
 }

@@ -33,9 +33,7 @@ bool all_can(const GridProblem& problem, const Step& step) {
 }
 
 std::int64_t contacts_of(const CertifiedStep& last, const GridProblem& problem) {
-  const std::vector<double>& p = last.pressures.p;
-  return problem.surface.points().company().united(
-      static_cast<std::int64_t>(std::count_if(p.begin(), p.end(), [](double each) { return each > 0; })));
+  return problem.surface.points().company().united(last.pressures.contacts());
 }
 
 // The last step of all processes, whose pressures are few.
@@ -101,10 +99,9 @@ std::optional<Finished> sparse_by_rows(const GridProblem& problem, const Memory&
     Memory known;
     if (sparse(contacts)) known.last = gathered(memory.last, problem);
     if (older_sparse) known.before = gathered(memory.before, problem);
-    std::optional<Estimate> none;
     Attempt here{attempt.monitor};
     here.warm = attempt.warm;
-    if (std::optional<Answer> answer = sparse_contact(*all, known, step, here, none)) {
+    if (std::optional<Answer> answer = sparse_contact(*all, known, step, {}, here).answer) {
       finished = certified_result(*all, step, std::move(*answer), here, {});
       attempt.choice = here.choice;
     }

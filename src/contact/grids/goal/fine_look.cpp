@@ -75,7 +75,7 @@ std::optional<Numbers> AccuracyGoal::look(GridContact& given, const Step& step, 
   Attempt attempt{monitor};
   attempt.warm = step.warm;
   try {
-    std::optional<Answer> sparse = sparse_contact(problem, given.memory(), at, attempt, found.estimate);
+    std::optional<Answer> sparse = sparse_contact(problem, given.memory(), at, found.estimate, attempt).answer;
     answer = sparse ? std::move(*sparse) : at_approach(problem, given.memory(), at, attempt, found.estimate);
     if (std::any_of(answer.p.begin(), answer.p.end(), [](double p) { return p < 0; })) answer.checked.reset();
     for (double& p : answer.p) p = std::max(0.0, p);
