@@ -9,7 +9,7 @@ import sys
 
 CONTACT = {f'roughcontact/{name}.h' for name in ('roughcontact', 'history', 'derivatives', 'direct', 'product', 'analysis', 'law', 'ranks', 'registry')}
 PUBLIC = CONTACT | {f'roughcontact/{name}' for name in ('mpi.h', 'plugin.h', 'surface.h', 'formats.h', 'plugin.hpp')}
-STEP = {f'contact{part}' for part in ('', '/surface', '/memory', '/sparse', '/proof', '/step')}
+STEP = {f'contact{part}' for part in ('', '/surface', '/memory', '/coarse', '/sparse', '/proof', '/step')}
 LAYERS = {  # folder under src: folders it may include, each without the folders below it that stand here themselves
     'platform': {'platform'},
     'core': {'core', 'platform'},
@@ -31,8 +31,9 @@ LAYERS = {  # folder under src: folders it may include, each without the folders
     'contact/memory': {'contact/memory', 'contact', 'contact/surface', 'core'},
     'contact/slopes': {'contact/slopes', 'contact/memory', 'contact', 'contact/surface', 'trees', 'operator', 'core'},
     'contact/proof': {'contact/proof', 'contact/slopes', 'contact', 'contact/surface', 'kernel', 'core'},
-    'contact/sparse': {'contact/sparse', 'contact/proof', 'contact', 'contact/surface', 'grid', 'core'},
-    'contact/step': {'contact/step', 'contact/sparse', 'contact/proof', 'contact/memory', 'contact', 'contact/surface', 'operator', 'core'},
+    'contact/coarse': {'contact/coarse', 'contact', 'contact/surface', 'grid', 'core'},
+    'contact/sparse': {'contact/sparse', 'contact/proof', 'contact', 'contact/surface', 'core'},
+    'contact/step': {'contact/step', 'contact/coarse', 'contact/sparse', 'contact/proof', 'contact/memory', 'contact', 'contact/surface', 'operator', 'core'},
     'contact/grids': {*STEP, 'contact/grids', 'grid', 'core'},
     'contact/grids/goal': {*STEP, 'contact/grids/goal', 'contact/grids', 'core'},
     'contact/calls': {*STEP, 'contact/calls', 'contact/grids/goal', 'contact/grids', 'contact/slopes', 'registry', 'core'},

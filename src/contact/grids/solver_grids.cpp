@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "contact/coarse/level.h"
 #include "contact/grids/grid_contact.h"
-#include "contact/sparse/halved.h"
 #include "core/company.h"
 #include "core/error.h"
 #include "core/host_call.h"
@@ -35,8 +35,6 @@ Numbers solved(GridContact& contact, const rc_step& step, const Outputs& outputs
 }
 
 }  // namespace
-
-std::unique_ptr<CoarseGrids> SolverGrids::another() const { return std::make_unique<SolverGrids>(); }
 
 rc_status SolverGrids::solve(rc_coarse& request, const GridProblem& problem, const Attempt& attempt) {
   const Monitor& monitor = attempt.monitor;

@@ -33,9 +33,7 @@ bool all_can(const GridProblem& problem, const Step& step) {
 }
 
 std::int64_t contacts_of(const CertifiedStep& last, const GridProblem& problem) {
-  const std::vector<double>& p = last.pressures.p;
-  return problem.surface.points().company().united(
-      static_cast<std::int64_t>(std::count_if(p.begin(), p.end(), [](double each) { return each > 0; })));
+  return problem.surface.points().company().united(last.pressures.contacts());
 }
 
 // The last step of all processes, whose pressures are few.
@@ -75,7 +73,7 @@ double write_gap(const GridProblem& problem, const Finished& mine, const Attempt
 
 }  // namespace
 
-std::optional<Finished> sparse_by_rows(const GridProblem& problem, const Memory& memory, const Step& step, Attempt& attempt,
+std::optional<Finished> sparse_by_rows(const GridProblem& problem, const Memory& memory, const Step& step, const Attempt& attempt,
                                        const Outputs& outputs) {
   const Company& company = problem.company();
   if (!company.keeps_all_points() || step.p0.data || !all_can(problem, step)) return std::nullopt;
@@ -89,29 +87,22 @@ std::optional<Finished> sparse_by_rows(const GridProblem& problem, const Memory&
   if (!tilt) tilt = plane_share(problem.surface, system.nx, system.ny, problem.system.periodic());
 
   std::optional<Finished> finished;
-  std::unique_ptr<CoarseGrids> coarse;
   std::unique_ptr<GridProblem> all;
   company.together([&] {
     all = std::make_unique<GridProblem>(system, problem.options, &problem.team(), company.made_alike());
-    coarse = problem.coarse->another();
-    all->coarse = coarse.get();
     all->facts.tilt = tilt;
     if (problem.system.periodic()) all->operators().multiply_by(problem.operators());
     all->surface = StepSurface(problem.surface, problem.team());
     Memory known;
     if (sparse(contacts)) known.last = gathered(memory.last, problem);
     if (older_sparse) known.before = gathered(memory.before, problem);
-    std::optional<Estimate> none;
-    Attempt here{attempt.monitor};
-    here.warm = attempt.warm;
-    if (std::optional<Answer> answer = sparse_contact(*all, known, step, here, none)) {
-      finished = certified_result(*all, step, std::move(*answer), here, {});
-      attempt.choice = here.choice;
-    }
+    Pyramid pyramid(*all);
+    if (std::optional<Answer> answer = sparse_contact(*all, known, step, pyramid, attempt).answer)
+      finished = certified_result(*all, step, std::move(*answer), attempt, {});
   });
   if (!finished || finished->numbers.status == RC_STOP_STALLED || finished->numbers.status == RC_UNCERTIFIED) return std::nullopt;
 
-  Finished mine{.numbers = finished->numbers};
+  Finished mine{.numbers = finished->numbers, .by = finished->by};
   company.on_all([&] {
     const Pressures& p = finished->pressures;
     each_own(

@@ -40,8 +40,7 @@ std::int64_t Blocks::included(std::int64_t block, const StepSurface& fine) const
 // Blocks come row by row, and points go out row by row.
 Pressures spread(const Pressures& coarse, const Blocks& blocks, const StepSurface& fine, Cut cut) {
   Pressures result;
-  const auto loaded = std::count_if(coarse.p.begin(), coarse.p.end(), [](double p) { return p > 0; });
-  const auto room = static_cast<std::size_t>(loaded * blocks.factor * blocks.factor);
+  const auto room = static_cast<std::size_t>(coarse.contacts() * blocks.factor * blocks.factor);
   result.on.index.reserve(room);
   result.p.reserve(room);
   std::vector<std::pair<std::int64_t, double>> row;  // first column and pressure of blocks side by side

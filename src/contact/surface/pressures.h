@@ -1,6 +1,7 @@
 // Pressures on a set of points, 0 elsewhere, the deflections that they cause, and the overlap that stays.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -16,6 +17,9 @@ struct Pressures {
   std::vector<double> p;  // [pressure], one for each point of `on`
 
   bool empty() const { return p.empty(); }
+  std::int64_t contacts() const {
+    return std::count_if(p.begin(), p.end(), [](double value) { return value > 0; });
+  }
   // The pressures at the points of another set.
   std::vector<double> at(const TrialSet& other) const;
   void write(const OutputArray& everywhere, std::int64_t points, const rc_team& team) const;

@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include "contact/coarse/level.h"
 #include "contact/grids/grid_contact.h"
-#include "contact/sparse/halved.h"
 #include "contact/surface/blocks.h"
 
 namespace rc {

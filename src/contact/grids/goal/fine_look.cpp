@@ -7,7 +7,7 @@
 
 #include "contact/grids/goal/accuracy_goal.h"
 #include "contact/step/by_approach.h"
-#include "contact/step/sparse_contact.h"
+#include "contact/step/few.h"
 #include "core/error.h"
 
 namespace rc {
@@ -72,10 +72,9 @@ std::optional<Numbers> AccuracyGoal::look(GridContact& given, const Step& step, 
   std::vector<double> kept;
   bool screened = false;
   rc_status ended = RC_OK;
-  Attempt attempt{monitor};
-  attempt.warm = step.warm;
+  const Attempt attempt{monitor, step.warm};
   try {
-    std::optional<Answer> sparse = sparse_contact(problem, given.memory(), at, attempt, found.estimate);
+    std::optional<Answer> sparse = solve_if_few(problem, given.memory(), at, *found.estimate, attempt);
     answer = sparse ? std::move(*sparse) : at_approach(problem, given.memory(), at, attempt, found.estimate);
     if (std::any_of(answer.p.begin(), answer.p.end(), [](double p) { return p < 0; })) answer.checked.reset();
     for (double& p : answer.p) p = std::max(0.0, p);
@@ -143,7 +142,7 @@ std::optional<Numbers> AccuracyGoal::look(GridContact& given, const Step& step, 
                    " of ", system.given.nx, "x", system.given.ny, " points")
                   .c_str());
   write_arrays(problem, corrected, depth, outputs);
-  given.remember({numbers, std::move(corrected.pressures)}, attempt.choice);
+  given.remember({numbers, std::move(corrected.pressures)}, answer.choice);
   return numbers;
 }
 

@@ -20,22 +20,23 @@ rc_options coarse_options(const rc_options& fine, const Monitor& monitor);
 CoarseGrid halved(const GridProblem& finer, int halvings);
 StepSurface borrowed(const CoarseGrid& grid, const rc_team& team);
 
-// The problem on the halved grid. Of a surface of which processes gather tiles each halves its rows, once; a small one is
-// gathered.
-class HalvedProblem {
+// A coarser grid of a step: the problem on a grid that is halved once or several times. If processes gather tiles of the finer
+// surface, each halves its own rows, once; a small grid is gathered as a whole.
+class Level {
  public:
-  HalvedProblem(const GridProblem& finer, const rc_options& options, int halvings);
+  Level(const GridProblem& finer, const rc_options& options, int halvings);
 
   const GridProblem& problem() const { return problem_; }
+  int halvings() const { return halvings_; }  // from the finer grid to this one
 
  private:
   void halve_rows(const GridProblem& finer, const StepSurface& rows);
 
-  CoarseGrid surface_;                       // the problem borrows it
+  const int halvings_;
+  CoarseGrid cells_;                         // the problem borrows them
   StepSurface rows_;                         // of this process, if the problem gathers tiles again
   std::unique_ptr<GridProblem> multiplies_;  // with these rows
   GridProblem problem_;
-  std::unique_ptr<CoarseGrids> coarse_;
 };
 
 }  // namespace rc

@@ -1,4 +1,4 @@
-#include "contact/sparse/halved.h"
+#include "contact/coarse/level.h"
 
 #include <functional>
 #include <roughcontact/plugin.hpp>
@@ -40,25 +40,23 @@ rc_options coarse_options(const rc_options& fine, const Monitor& monitor) {
   return options;
 }
 
-HalvedProblem::HalvedProblem(const GridProblem& finer, const rc_options& options, int halvings)
-    : problem_(halved_system(finer.system.given, halvings), options, &finer.team(), finer.company()),
-      coarse_(finer.coarse->another()) {
-  problem_.coarse = coarse_.get();
+Level::Level(const GridProblem& finer, const rc_options& options, int halvings)
+    : halvings_(halvings), problem_(halved_system(finer.system.given, halvings), options, &finer.team(), finer.company()) {
   if (const GatheredTiles* const gathered = finer.surface.gathered()) {
     halve_rows(finer, gathered->shared());
     return;
   }
-  surface_ = halved(finer, halvings);
-  problem_.surface = borrowed(surface_, finer.team());
+  cells_ = halved(finer, halvings);
+  problem_.surface = borrowed(cells_, finer.team());
 }
 
-void HalvedProblem::halve_rows(const GridProblem& finer, const StepSurface& rows) {
+void Level::halve_rows(const GridProblem& finer, const StepSurface& rows) {
   constexpr std::int64_t most_gathered = 512 * 512;  // points
   const Company &company = rows.points().company(), half = company.halved();
-  surface_ = downsample(rows.points().nx(), company.own_rows(0), rows.gap(), rows.mask(), Filter::mean);
+  cells_ = downsample(rows.points().nx(), company.own_rows(0), rows.gap(), rows.mask(), Filter::mean);
   const std::int64_t ny = half.all_rows(0);
-  if (surface_.nx * ny >= most_gathered && company.halvings() > 1) {
-    rows_ = StepSurface({surface_.nx, surface_.ny, surface_.gap, surface_.mask, true}, finer.team(), half);
+  if (cells_.nx * ny >= most_gathered && company.halvings() > 1) {
+    rows_ = StepSurface({cells_.nx, cells_.ny, cells_.gap, cells_.mask, true}, finer.team(), half);
     if (finer.operators().multiply_by_rows()) {
       multiplies_ = std::make_unique<GridProblem>(problem_.system.given, problem_.options, &finer.team(), half);
       problem_.operators().multiply_by(multiplies_->operators());
@@ -66,10 +64,10 @@ void HalvedProblem::halve_rows(const GridProblem& finer, const StepSurface& rows
     problem_.surface = StepSurface(rows_, finer.team());
     return;
   }
-  surface_.gap = company.joined(std::move(surface_.gap));
-  surface_.mask = company.joined(std::move(surface_.mask));
-  surface_.ny = ny;
-  problem_.surface = borrowed(surface_, finer.team());
+  cells_.gap = company.joined(std::move(cells_.gap));
+  cells_.mask = company.joined(std::move(cells_.mask));
+  cells_.ny = ny;
+  problem_.surface = borrowed(cells_, finer.team());
 }
 
 }  // namespace rc
