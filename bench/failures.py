@@ -70,7 +70,7 @@ def largest_inverse_coupling(kernel, side, spacing):
 
 
 def greedy(atlas):
-    """Example 1 of Bemporad & Paggi (2015): N x N cells, all of them candidates, compenetrations uniform on (0, 1)."""
+    """Example 1 of Bemporad & Paggi (2015): N x N cells, all of them in the trial set, penetrations uniform on (0, 1)."""
     cases = [(kernel, spacing, side) for kernel in KERNELS for spacing in (1, 2) for side in (5, 10, 20)]
     for kernel, spacing, side in cases:
         draws = 1000 if not atlas.quick else 100 if side < 20 else 30

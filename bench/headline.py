@@ -7,7 +7,7 @@ TIMES, ERRORS = (2e-3, 3e1), (1e-9, 1.0)
 # Code: name, light colour, dark colour, marker, where the name stands (seconds, error, anchor).
 OURS, STANDARD = 'haar-cg, fft', 'polonsky-keer, fft'
 CODES = {OURS: ('roughcontact', '#0072B2', '#56B4E9', 'circle', (3e-2, 0.15, 'end')),
-         STANDARD: ('standard method', '#B35900', '#E69F00', 'square', (6e-2, 1.1e-2, 'start')),
+         STANDARD: ('our Polonsky-Keer', '#B35900', '#E69F00', 'square', (6e-2, 1.1e-2, 'start')),
          'aspher-fft': ('ASPHER', '#00785A', '#40C9A0', 'triangle', (2.7e-1, 1.1e-3, 'start')),
          'contactmechanics': ('ContactMechanics', '#A0307A', '#E08AC0', 'diamond', (28, 2.2e-4, 'end')),
          'tamaas-free': ('Tamaas', '#555555', '#BBBBBB', 'cross', (2.3, 2e-8, 'start'))}
@@ -68,4 +68,4 @@ def draw(file, points, grid_error):
     style = f'<style>{STYLE}{"".join(light)}@media(prefers-color-scheme:dark){{{DARK}{"".join(dark)}}}</style>'
     with open(file, 'w', encoding='utf-8') as svg:
         svg.write(f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" width="{WIDTH}" height="{HEIGHT}" role="img">\n'
-                  f'<title>Time against error of roughcontact, the standard method and other codes</title>\n{style}\n' + '\n'.join(parts) + '\n</svg>\n')
+                  f'<title>Time against error of roughcontact, our Polonsky-Keer and other codes</title>\n{style}\n' + '\n'.join(parts) + '\n</svg>\n')

@@ -3,9 +3,9 @@
 Usage: commands.py BUILD [--full] [PAGE...]
 
 The blocks of a page run one after another in one shell, in a folder that has the page's own files, copies of examples/ and
-integrations/ and a measured surface, `surface.gsf`. A block after "`NAME`:" is written to that file before. The next block of the
-page, if it is `text`, is what the commands print; ... in it stands for any text. A comment on the line before a block says where that
-is not so:
+integrations/ and the map `surface.gsf`, made by the command of how-to/eleven-tasks.md. A block after "`NAME`:" is written to that
+file before. The next block of the page, if it is `text`, is what the commands print; ... in it stands for any text. A comment on the
+line before a block says where that is not so:
 
   <!-- not run: REASON -->       it installs packages, builds the tree, takes hours
   <!-- run in full: REASON -->   it takes longer than a test of the middle tier may: with --full alone
@@ -26,13 +26,7 @@ import tempfile
 
 import pages
 
-sys.path.insert(0, str(pages.SOURCE / 'tests/support'))
-try:
-    import stand_ins  # noqa: E402
-except ImportError as absent:
-    print(f'skipped: {absent}')
-    sys.exit(77)
-
+MAP = pages.SOURCE / 'docs/how-to/eleven-tasks.md'
 MARK = '-- block %d of the page ends --'
 PROGRAMS = r'(roughcontact|roughcontact-bench|build/bin/\S+|cmake|ctest|cc|gfortran|pip|python3?|make|sudo|\S+\.sh|scripts/\S+)'
 
@@ -95,13 +89,16 @@ class Reader:
             'PYTHONPATH': str(python.parent.parent) if python else '',
             'MPLBACKEND': 'agg',
         }
+        making = re.search(r'^roughcontact (generate .* --output surface\.gsf)$', MAP.read_text(encoding='utf-8'), re.M)
+        command = [prefix / 'bin/roughcontact', *making[1].split()]
+        subprocess.run(command, cwd=scratch, env=self.environment, check=True, stdout=subprocess.DEVNULL)
 
     def run(self, page, found):
         """What each block printed, and what the shell said where one failed."""
         home = self.scratch / '-'.join(page.relative_to(pages.SOURCE).with_suffix('').parts)
         for folder in ('examples', 'integrations'):
             shutil.copytree(pages.SOURCE / folder, home / folder)
-        (home / 'surface.gsf').write_bytes(stand_ins.gsf(*stand_ins.film(), 'XYUnits = m\nZUnits = m\n'))
+        shutil.copy(self.scratch / 'surface.gsf', home)
         for block in found:
             if block.name and block.language not in ('sh', 'text'):
                 (home / block.name).write_text(block.text)
