@@ -294,9 +294,11 @@ typedef struct rc_kept_steps rc_kept_steps;
 struct rc_kept_steps {
   size_t struct_size;
   /* The objects that this solver kept of the last step and of the step before it; NULL: none. `last` is also NULL if the start
-     is not made of the last step. If `last` is not NULL, p is min(max(0, (a + ahead*(a - b)) / pressure), cap) with a point's
-     pressures a and b in these steps; b plays no part if ahead is 0. p has these values in any case. The solver may drop what it
-     kept, and no later step starts from `before`: its memory is free for use                                          */
+     is not made of the last step.
+     Start: a point has the pressure a in the last step and b in the one before. If `last` is not NULL, p of rc_problem is
+     min(max(0, (a + ahead*(a - b)) / pressure), cap); b plays no part if ahead is 0. The library has written this p, so the
+     solver may drop what it kept.
+     Memory: no later step starts from `before`, so the solver may use its memory for the new answer                  */
   void *last, *before;
   double ahead;
   double hardness; /* [force/length^2] pressure of a point with p = cap, others have p*rc_problem.pressure; INFINITY: none */

@@ -14,7 +14,7 @@
  *     history.h    loading histories, batches of contacts, restarts, coarse solutions
  *     derivatives.h  gradients and tangents of a step
  *     analysis.h   area, patches, pressures and conductance of a contact
- *     law.h        contact laws: tables that are proven between their nodes
+ *     law.h        contact laws: tables with bounds between their nodes
  *     product.h    u = H p for pressures of any sign
  *     direct.h     the paper's algorithms on a matrix, one call each
  *     registry.h   contexts, lists of components and options
@@ -267,10 +267,8 @@ typedef struct rc_result {
 
   /* Residuals, all from a product of the library's own */
   double kkt_primal;   /* max(0, -min p) / max|p|; hardness c: at least max(0, max p - c) / c                        */
-  double kkt_dual;     /* max(0, -min g) / s over all points, s = max(d - h). Periodic: under load control s is at
-                          least a quarter of the mean pressure times sqrt(hx hy) / E*; under approach control
-                          without excluded points at most |mean(h) - d| / (2 tolerance). Hardness c: max over points
-                          with g < 0 of min((c - p) / c, -g / s)                                                     */
+  double kkt_dual;     /* largest overlap over s: max(0, -min g) / s over all points, s = max(d - h). docs/certificate.md has
+                          the formula with a hardness and the exceptions of s with periodic boundaries               */
   double kkt_complementarity; /* max over all points of min(p / max p, |g| / s); hardness: at g < 0 also (c - p) / c   */
   double kkt_control;  /* |load - W| / W, 0 in approach control                                                  */
   double tolerance;    /* limit of the kkt_* residuals: tol, or accuracy/100 (area: /1000) if larger                 */
@@ -322,14 +320,17 @@ typedef struct rc_result {
 } rc_result;
 #define RC_RESULT_INIT RC_BEGIN_WITH(rc_result, status = RC_ERR_ARGUMENT)
 
-/** The grid of an answer, and its estimated errors. With RC_WITHIN_GOAL the answer comes from a coarser grid; each of its cells
- *  averages a block of 2^k by 2^k points. p is then the coarser grid's answer after a few steps of a solve of the whole grid,
- *  p >= 0. Under load control p is scaled to the prescribed load, and approach is an estimate: the one at which the mean of the
- *  gap, weighted by p, vanishes. All else is computed from p on the whole grid, also the kkt_* residuals, which then exceed the
- *  tolerance. Stiffness, solver, backend and tolerance are those of the coarser grid.
- *  If the step stops on a coarser grid, the last solved grid is returned: all points of a block have its pressure (which keeps the
- *  load if the grid's end or the mask cuts a block) and its gap (infinite: all masked); contacts, area and load are those of p, the
- *  rest that of the coarser grid. */
+/** The grid of an answer, and its estimated errors. Each cell of a coarser grid averages a block of 2^k by 2^k points of the whole
+ *  one. What rc_result then has depends on where the answer comes from:
+ *    member                     RC_WITHIN_GOAL                                    a step that stopped on a coarser grid
+ *    p                          coarser answer, a few steps on the whole grid     pressure of the point's block
+ *    gap                        of p                                              gap of the block; infinite: all masked
+ *    load, contacts, area       of p                                              of p
+ *    approach                   LOAD: estimated, see below                        coarser grid's
+ *    stiffness, solver, backend, tolerance   coarser grid's                       coarser grid's
+ *    kkt_* and all others       of p; kkt_* exceed the tolerance                  coarser grid's
+ *  Estimated approach: at it the mean of the gap, weighted by p, vanishes; p is scaled to the prescribed load. If the grid's end or
+ *  the mask cuts a block, its pressure is such that the load stays. */
 typedef struct rc_accuracy {
   size_t struct_size;
   int64_t model_nx, model_ny; /* points of the grid that was solved: nx and ny, or a coarser one's                   */

@@ -1,4 +1,4 @@
-"""Contact laws: the pressure of a rough patch against its overclosure, proven between nodes that are solved once."""
+"""Contact laws: the pressure of a rough patch against its overclosure, with bounds between nodes that are solved once."""
 
 from __future__ import annotations
 

@@ -130,6 +130,9 @@ def main():
     parser.add_argument('--full', action='store_true')
     parser.add_argument('pages', type=pathlib.Path, nargs='*')
     arguments = parser.parse_args()
+    if not is_here('python:numpy'):
+        print('skipped: no module named numpy')
+        sys.exit(77)
     ran, excluded, compared, wrong = 0, [], 0, []
     with tempfile.TemporaryDirectory() as scratch:
         reader = Reader(arguments.build, pathlib.Path(scratch))
