@@ -221,8 +221,8 @@ def test_a_reader_that_goes_ends_no_host(tmp_path):
         import os, signal, roughcontact as rc
         signal.signal(signal.SIGPIPE, signal.SIG_DFL)
         reader = os.open('a.npy', os.O_RDONLY | os.O_NONBLOCK)
-        import threading, time
-        threading.Thread(target=lambda: (time.sleep(0.2), os.close(reader))).start()
+        import select, threading
+        threading.Thread(target=lambda: (select.select([reader], [], []), os.close(reader))).start()
         try:
             rc.Surface([[1.0, 2.0]] * 99999, 1.0).save('a.npy')
         except OSError as error:
