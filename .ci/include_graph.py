@@ -36,8 +36,8 @@ LAYERS = {  # folder under src: folders it may include, each without the folders
     'contact/grids': {*STEP, 'contact/grids', 'grid', 'core'},
     'contact/grids/goal': {*STEP, 'contact/grids/goal', 'contact/grids', 'core'},
     'contact/calls': {*STEP, 'contact/calls', 'contact/grids/goal', 'contact/grids', 'contact/slopes', 'registry', 'core'},
-    'law': {'law', 'core', 'platform'},  # and contacts through the public headers
-    'abi': {'abi', 'analysis', 'law', 'contact', 'contact/calls', 'contact/surface', 'solvers', 'operator', 'registry', 'kernel', 'core'},
+    'abi': {'abi', 'analysis', 'contact', 'contact/calls', 'contact/surface', 'solvers', 'operator', 'registry', 'kernel', 'core'},
+    'law': {'law', 'core'},  # above abi: it uses contacts as any program does, through the public headers
 }
 OUTSIDE = {  # other folders: public headers they may include; besides, their own files and those of dependencies
     'backends': {'roughcontact/plugin.h', 'roughcontact/plugin.hpp'},  # and backends/common, which includes no backend
@@ -50,12 +50,12 @@ OUTSIDE = {  # other folders: public headers they may include; besides, their ow
     'examples': PUBLIC,
     'integrations': PUBLIC,
 }
-# What a folder outside src takes from it: headers alone, but for grid, platform, core/text.h and HAAR.
+# What a folder outside src, or the law above its interface, takes from it: headers alone, but for grid, platform, core/text.h and HAAR.
 # The parts of haar-cg that need no other part of the library: plugins that run its iteration on a machine of their own compile them.
 HAAR = {'solvers/problem.h', 'solvers/haar_cg/iteration/iteration.h', 'solvers/haar_cg/starts.h', 'trees/tree_inputs.h', 'trees/tree_shape.h',
         'trees/algebra.inc'}
 BESIDE = {'core', 'abi/own_guard.h', 'abi/sized_struct.h'}
-BORROWED = {'surface': BESIDE | {'grid'}, 'formats': BESIDE | {'platform'}, 'tools': {'core/text.h', 'platform'}, 'backends': {'platform', 'core/certificate_terms.h', 'core/start_terms.h'} | HAAR}
+BORROWED = {'surface': BESIDE | {'grid'}, 'formats': BESIDE | {'platform'}, 'tools': {'core/text.h', 'platform'}, 'law': {'abi/guard.h', 'abi/sized_struct.h'}, 'backends': {'platform', 'core/certificate_terms.h', 'core/start_terms.h'} | HAAR}
 WITHIN = {('cuda_host', 'cuda/tables.h')}  # one plugin, built twice
 EXCEPTIONS = {('src/registry/builtin.cpp.in', 'backends/known.def'),  # a list of names
               ('src/law/table.c', 'table.h')}  # compiled by programs without this tree
@@ -70,8 +70,10 @@ def allowed(root, file, include, quoted):
     top, folder, *_ = file.parts
     inside = '/'.join(file.parts[1:])
     if include in PUBLIC:
-        return include in OUTSIDE.get(top, PUBLIC)
+        return include in OUTSIDE.get(top, PUBLIC) and (top != 'src' or include != 'roughcontact/law.h' or layer(inside) == 'law')
     if top == 'src':
+        if include in BORROWED.get(layer(inside), set()):
+            return True
         return layer(include) in LAYERS[layer(inside)] if layer(include) else not quoted
     beside = root / file.parent / include
     if beside.exists() and beside.resolve().is_relative_to((root / top / folder).resolve()):

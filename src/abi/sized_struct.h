@@ -5,7 +5,6 @@
 #include <roughcontact/derivatives.h>
 #include <roughcontact/direct.h>
 #include <roughcontact/history.h>
-#include <roughcontact/law.h>
 #include <roughcontact/ranks.h>
 #include <roughcontact/registry.h>
 

@@ -98,17 +98,16 @@ double largest_distance(double a, double b, double s, double q) {
 // The largest distance from the first row after the origin on.
 double distance_of_lines(const Law& law, const std::vector<LawRow>& rows) {
   double most = 0;
-  const double* piece = law.table.data() + law_table_head;
-  const double* const last = piece + law_table_piece * (static_cast<std::size_t>(law.table[1]) - 1);
+  const law_table_piece *piece = law_pieces(law.table.data()), *const last = law_last_piece(law.table.data());
   for (std::size_t i = 1; i + 1 < rows.size(); ++i) {
     const double rise = (rows[i + 1].p - rows[i].p) / (rows[i + 1].x - rows[i].x);
     for (double x = rows[i].x; x < rows[i + 1].x;) {
-      while (piece < last && piece[law_table_piece] <= x) piece += law_table_piece;
-      const double end = piece < last ? std::min(rows[i + 1].x, piece[law_table_piece]) : rows[i + 1].x;
+      while (piece < last && piece[1].x <= x) ++piece;
+      const double end = piece < last ? std::min(rows[i + 1].x, piece[1].x) : rows[i + 1].x;
       const LawRow at = row_at(law, x);
       const double length = end - x, line = rows[i].p + (x - rows[i].x) * rise;
-      most = std::max(
-          most, largest_distance(line / at.p, rise * length / at.p, at.slope * length / at.p, piece[3] * length / at.p * length));
+      most = std::max(most, largest_distance(line / at.p, rise * length / at.p, at.slope * length / at.p,
+                                             piece->half_bend * length / at.p * length));
       x = end;
     }
   }
@@ -138,7 +137,7 @@ std::string columns(const Law& law, const std::vector<LawRow>& rows, const Units
   for (const LawRow& row : rows) {
     roughcontact_law_bounds bounds{};
     if (row.x > 0) roughcontact_law_bounds_at(law.table.data(), row.x, row.p, &bounds);
-    const double unit = law.table[3];  // NaN: no conductance
+    const double unit = law.conductance();  // NaN: none
     const double conductance = std::isnan(unit) ? unit : units.per_length(unit * row.slope) / (resistivity > 0 ? resistivity : 1);
     const double upper = bounds.p_upper;  // infinite beyond the last node
     text += joined_line({units.x(row), units.p(row.p), units.slope(row), units.energy(row), bounds.area, conductance,
@@ -161,7 +160,7 @@ std::string pressure_cards(const Law& law, const std::vector<LawRow>& rows, cons
   text += spec.format == RC_LAW_ABAQUS ? "*GAP CONDUCTANCE, PRESSURE\n" : "*GAP CONDUCTANCE\n";
   for (std::size_t i = 0; i < rows.size(); ++i)  // one row for each pressure
     if (i == 0 || card_number(units.p(rows[i].p)) != card_number(units.p(rows[i - 1].p)))
-      text += joined_line({units.per_length(law.table[3] * rows[i].slope) / (spec.rho1 + spec.rho2), units.p(rows[i].p)});
+      text += joined_line({units.per_length(law.conductance() * rows[i].slope) / (spec.rho1 + spec.rho2), units.p(rows[i].p)});
   return text;
 }
 

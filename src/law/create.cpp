@@ -4,10 +4,9 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
-#include <limits>
-#include <string>
 
 #include "core/error.h"
+#include "core/limits.h"
 #include "law/nodes.h"
 
 namespace rc {
@@ -49,18 +48,19 @@ class LawMaker {
   LawMaker(const rc_system& system, const rc_options* options, const rc_law_spec& spec)
       : spec_(spec), patch_(system, options, spec), nodes_(patch_) {}
 
-  LawMade made(const rc_system& system) {
+  std::unique_ptr<rc_law> made(const rc_system& system) {
     nodes_.add({patch_.at_load(spec_.p_lower * patch_.area()), patch_.at_load(spec_.p_upper * patch_.area())});
     if (spec_.tolerance_conductance != 0 && !patch_.homogeneous())
       fail(RC_ERR_ARGUMENT, "rc_law_spec.tolerance_conductance = ", spec_.tolerance_conductance, ": ", no_conductance);
     if (nodes_.size() < 3) fail(RC_ERR_ARGUMENT, "p_lower and p_upper are the same to double precision");
-    LawMade made;
+    auto law = std::make_unique<rc_law>();
     const auto most = static_cast<std::size_t>(spec_.max_nodes > 0 ? spec_.max_nodes : usual_most);
     for (;;) {
       const std::vector<double> approaches = wanted();
       if (approaches.empty()) break;
       if (nodes_.size() + approaches.size() > most) {
-        stop(made, RC_STOP_MAX_ITER, join("more than rc_law_spec.max_nodes = ", most, " nodes are needed"));
+        law->status = RC_STOP_MAX_ITER;
+        law->remark = join("more than rc_law_spec.max_nodes = ", most, " nodes are needed");
         break;
       }
       std::vector<LawSample> fresh;
@@ -70,18 +70,11 @@ class LawMaker {
       if (nodes_.size() == before) break;
     }
     thin();
-    made.law = law(system);
-    made.law->status = made.status == RC_OK ? made.law->judged() : made.status;
-    if (made.status == RC_OK) stop(made, made.law->status, remark_of(*made.law));
-    return made;
+    fill(*law, system);
+    return law;
   }
 
  private:
-  static void stop(LawMade& made, rc_status status, std::string remark) {
-    made.status = status;
-    made.remark = std::move(remark);
-  }
-
   // How many times too wide an interval is, in its bounds or, without any, in how far its chord is from its tangents; and at
   // which share of it.
   struct Need {
@@ -137,27 +130,25 @@ class LawMaker {
     return approaches;
   }
 
-  std::unique_ptr<Law> law(const rc_system& system) const {
-    auto law = std::make_unique<Law>();
-    law->tolerance = spec_.tolerance;
-    law->tolerance_conductance = spec_.tolerance_conductance;
-    law->info.solves = patch_.solves();
-    law->info.bulk = patch_.bulk();
-    law->info.modulus = patch_.homogeneous() ? system.modulus : 0;
-    law->info.hardness = system.hardness;
-    law->info.area = patch_.area();
-    law->info.bulk_stiffness = spec_.bulk_stiffness;
-    law->info.mean_gap = patch_.mean_gap();
+  void fill(Law& law, const rc_system& system) const {
+    law.tolerance = spec_.tolerance;
+    law.tolerance_conductance = spec_.tolerance_conductance;
+    law.info.solves = patch_.solves();
+    law.info.bulk = patch_.bulk();
+    law.info.modulus = patch_.homogeneous() ? system.modulus : 0;
+    law.info.hardness = system.hardness;
+    law.info.area = patch_.area();
+    law.info.bulk_stiffness = spec_.bulk_stiffness;
+    law.info.mean_gap = patch_.mean_gap();
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      law->nodes.push_back(nodes_[i].node);
-      if (i > 1 && patch_.bulk() == RC_LAW_BULK_MEAN) law->nodes.back().energy = std::numeric_limits<double>::quiet_NaN();
+      law.nodes.push_back(nodes_[i].node);
+      if (i > 1 && patch_.bulk() == RC_LAW_BULK_MEAN) law.nodes.back().energy = nan;
     }
-    rc_law_node& last = law->nodes.back();  // beyond it, the bounds of the last interval continue
-    last.bounds = law->nodes[law->nodes.size() - 2].bounds;
+    rc_law_node& last = law.nodes.back();  // beyond it, the bounds of the last interval continue
+    last.bounds = law.nodes[law.nodes.size() - 2].bounds;
     last.between_lower = last.bounds == RC_LAW_CONVEX && !patch_.plastic() ? last.slope_lower : 0;
     last.between_upper = HUGE_VAL;
-    law->finish();
-    return law;
+    law.finish();
   }
 
   const rc_law_spec& spec_;
@@ -167,12 +158,12 @@ class LawMaker {
 
 }  // namespace
 
-LawMade create_law(const rc_system& system, const rc_options* options, const rc_law_spec& spec) {
+std::unique_ptr<rc_law> create_law(const rc_system& system, const rc_options* options, const rc_law_spec& spec) {
   check_spec(system, spec);
   const auto start = std::chrono::steady_clock::now();
-  LawMade made = LawMaker(system, options, spec).made(system);
-  made.law->info.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return made;
+  auto law = LawMaker(system, options, spec).made(system);
+  law->info.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return law;
 }
 
 }  // namespace rc

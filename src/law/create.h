@@ -7,13 +7,7 @@
 
 namespace rc {
 
-struct LawMade {
-  std::unique_ptr<Law> law;
-  rc_status status = RC_OK;
-  std::string remark;  // why the status is not RC_OK
-};
-
 // Throws Error.
-LawMade create_law(const rc_system& system, const rc_options* options, const rc_law_spec& spec);
+std::unique_ptr<rc_law> create_law(const rc_system& system, const rc_options* options, const rc_law_spec& spec);
 
 }  // namespace rc

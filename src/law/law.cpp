@@ -1,7 +1,6 @@
 #include "law/law.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -86,63 +85,81 @@ class LawEnvelope {
   std::vector<Parabola> lower_, upper_;
 };
 
-// A node as a table has it.
-std::array<double, law_table_node> record_of(const rc_law_node& node, LawBow bow = {}) {
-  return {node.x,         node.p_lower, node.p_upper, node.between_lower, std::min(node.between_upper, largest),
-          bow.above,      bow.below,    node.p,       node.area_fraction, node.area_lower,
-          node.area_upper};
+law_table_node table_node(const rc_law_node& node, LawBow bow = {}) {
+  return {.x = node.x,
+          .p_lower = node.p_lower,
+          .p_upper = node.p_upper,
+          .between_lower = node.between_lower,
+          .between_upper = std::min(node.between_upper, largest),
+          .above = bow.above,
+          .below = bow.below,
+          .p = node.p,
+          .area = node.area_fraction,
+          .area_lower = node.area_lower,
+          .area_upper = node.area_upper};
 }
 
-class LawTable {
- public:
-  void begin(const rc_law_info& info, const std::vector<rc_law_node>& nodes) {
-    const double scale = info.modulus > 0 ? 2 / info.modulus : std::numeric_limits<double>::quiet_NaN();
-    numbers_ = {0, static_cast<double>(2 * nodes.size() - 1), static_cast<double>(nodes.size()), scale, 0, 0, 0, 0};
+// The numbers of a table, as table.h describes them; head.conductance is given.
+std::vector<double> table_of(law_table_head head, const std::vector<law_table_piece>& pieces,
+                             const std::vector<law_table_node>& nodes) {
+  const auto first = std::ranges::find_if(pieces, [](const law_table_piece& piece) { return piece.x > 0; });
+  head.first_bucket = roughcontact_law_bucket(first->x);
+  head.buckets = roughcontact_law_bucket(pieces.back().x) - head.first_bucket + 1;
+  head.pieces = static_cast<double>(pieces.size());
+  head.nodes = static_cast<double>(nodes.size());
+  std::vector<double> numbers;
+  const auto append = [&](const auto* records, std::size_t count) {
+    const auto* begin = reinterpret_cast<const double*>(records);
+    numbers.insert(numbers.end(), begin, begin + count * sizeof *records / sizeof *begin);
+  };
+  append(&head, 1);
+  append(pieces.data(), pieces.size());
+  append(nodes.data(), nodes.size());
+  std::size_t piece = 0;
+  for (int i = 0; i < static_cast<int>(head.buckets); ++i) {
+    const auto lies_before = [&](double x) { return x <= 0 || roughcontact_law_bucket(x) < head.first_bucket + i; };
+    while (piece + 1 < pieces.size() && lies_before(pieces[piece + 1].x)) ++piece;
+    numbers.push_back(static_cast<double>(piece));
   }
-  void piece(double x, double p, double slope, double half_bend, double energy) {
-    keys_.push_back(x);
-    numbers_.insert(numbers_.end(), {x, p, slope, half_bend, energy});
-  }
-  void node(const rc_law_node& node, LawBow bow) {
-    const auto record = record_of(node, bow);
-    numbers_.insert(numbers_.end(), record.begin(), record.end());
-  }
-  std::vector<double> finished() {
-    const auto first = std::upper_bound(keys_.begin(), keys_.end(), 0.0);
-    const double begin = roughcontact_law_bucket(*first), end = roughcontact_law_bucket(keys_.back());
-    numbers_[4] = begin;
-    numbers_[5] = end - begin + 1;
-    std::size_t piece = 0;
-    for (auto bucket = static_cast<std::int64_t>(begin); bucket <= static_cast<std::int64_t>(end); ++bucket) {
-      const auto lies_before = [&](double x) { return x <= 0 || roughcontact_law_bucket(x) < static_cast<double>(bucket); };
-      while (piece + 1 < keys_.size() && lies_before(keys_[piece + 1])) ++piece;
-      numbers_.push_back(static_cast<double>(piece));
-    }
-    numbers_[0] = static_cast<double>(numbers_.size());
-    return std::move(numbers_);
-  }
-
- private:
-  std::vector<double> numbers_, keys_;
-};
+  numbers.front() = static_cast<double>(numbers.size());
+  return numbers;
+}
 
 double half_of(double lower, double upper) { return lower > 0 ? (upper / lower - 1) / 2 : HUGE_VAL; }
+
+rc_status judged(const Law& law) {
+  if (law.info.width > law.tolerance) return RC_STOP_STALLED;
+  return law.info.bounds == RC_LAW_MONOTONE ? RC_UNCERTIFIED : RC_OK;
+}
+
+std::string remark_of(const Law& law) {
+  switch (law.status) {
+    case RC_STOP_MAX_ITER:
+      return join("rc_law_spec.max_nodes did not allow the nodes that the tolerance needs: the law has ", law.info.nodes);
+    case RC_STOP_STALLED:
+      return join("double precision gives bounds of p within ", law.info.width, ", not ", law.tolerance);
+    case RC_UNCERTIFIED:
+      return "the tolerance is met by estimate: sets of points in contact or at the hardness give no proof between some nodes";
+    default:
+      return "";
+  }
+}
 
 }  // namespace
 
 // The upper bound is concave and the lower one convex, so their ratio has one maximum.
 LawWidth widest(const rc_law_node& node, const rc_law_node& next, double bulk_yield) {
-  const auto record = record_of(node, bow_of(node, next, bulk_yield)), next_record = record_of(next);
+  const law_table_node first = table_node(node, bow_of(node, next, bulk_yield)), last = table_node(next);
   const auto half = [&](double share) {
     double lower = 0, upper = 0;
     const double x = std::min(next.x, node.x + share * (next.x - node.x));
-    roughcontact_law_envelope(record.data(), next_record.data(), x, &lower, &upper);
+    roughcontact_law_envelope(&first, &last, x, &lower, &upper);
     return half_of(lower, upper);
   };
   double low = 0, high = 1;
   while (high - low > 1e-9) {
-    const double first = low + (high - low) / 3, second = high - (high - low) / 3;
-    (half(first) < half(second) ? low : high) = half(first) < half(second) ? first : second;
+    const double third = low + (high - low) / 3, other = high - (high - low) / 3;
+    (half(third) < half(other) ? low : high) = half(third) < half(other) ? third : other;
   }
   return {(low + high) / 2, half((low + high) / 2)};
 }
@@ -163,15 +180,15 @@ LawInterval Law::curve_of(std::size_t i) const {
     return bounds.hold(curve) ? curve : chord_between(node, next);
   }
   if (const auto curve = with_tangents(node, next); curve && bounds.hold(*curve)) return *curve;
-  for (double share = 0.5; share > 1e-3; share /= 2)
-    for (const double knot : {share, 1 - share})
+  for (int halvings = 1; halvings < 10; ++halvings)
+    for (const double share = std::ldexp(1, -halvings); const double knot : {share, 1 - share})
       if (const auto curve = with_knot(node, next, knot); curve && bounds.hold(*curve)) return *curve;
   return chord_between(node, next);
 }
 
 void Law::finish() {
-  LawTable pieces;
-  pieces.begin(info, nodes);
+  std::vector<law_table_piece> pieces;
+  std::vector<law_table_node> table_nodes;
   info.width = info.width_conductance = info.width_area = info.energy_error = 0;
   info.bounds = RC_LAW_CONVEX;
   double energy = 0;
@@ -180,9 +197,10 @@ void Law::finish() {
     rc_law_node& next = nodes[i + 1];
     const LawInterval curve = curve_of(i);
     const LawPart &before = curve.before, &after = curve.after;
-    pieces.piece(node.x, node.p, before.first, before.half_bend(), energy);
-    pieces.piece(std::min(next.x, node.x + before.length), std::min(next.p, node.p + before.rise()), after.first,
-                 after.half_bend(), energy + before.energy(node.p));
+    pieces.push_back({node.x, node.p, before.first, before.half_bend(), energy});
+    pieces.push_back({std::min(next.x, node.x + before.length), std::min(next.p, node.p + before.rise()), after.first,
+                      after.half_bend(), energy + before.energy(node.p)});
+    table_nodes.push_back(table_node(node, bow_of(node, next, bulk_yield())));
     energy += curve.energy(node.p);
     if (std::isnan(next.energy)) next.energy = energy;
     if (i == 0) continue;
@@ -193,31 +211,14 @@ void Law::finish() {
     info.width_area = std::max(info.width_area,
                                half_of(std::min(node.area_lower, next.area_lower), std::max(node.area_upper, next.area_upper)));
   }
-  pieces.piece(nodes.back().x, nodes.back().p, nodes.back().slope, 0, energy);
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    pieces.node(nodes[i], i + 1 < nodes.size() ? bow_of(nodes[i], nodes[i + 1], bulk_yield()) : LawBow{});
-  table = pieces.finished();
+  pieces.push_back({nodes.back().x, nodes.back().p, nodes.back().slope, 0, energy});
+  table_nodes.push_back(table_node(nodes.back()));
+  table = table_of({.conductance = info.modulus > 0 ? 2 / info.modulus : nan}, pieces, table_nodes);
   info.nodes = static_cast<std::int64_t>(nodes.size());
   info.x_lower = nodes[1].x, info.p_lower = nodes[1].p;
   info.x_upper = nodes.back().x, info.p_upper = nodes.back().p;
-}
-
-rc_status Law::judged() const {
-  if (info.width > tolerance) return RC_STOP_STALLED;
-  return info.bounds == RC_LAW_MONOTONE ? RC_UNCERTIFIED : RC_OK;
-}
-
-std::string remark_of(const Law& law) {
-  switch (law.status) {
-    case RC_STOP_MAX_ITER:
-      return join("rc_law_spec.max_nodes did not allow the nodes that the tolerance needs: the law has ", law.info.nodes);
-    case RC_STOP_STALLED:
-      return join("double precision gives bounds of p within ", law.info.width, ", not ", law.tolerance);
-    case RC_UNCERTIFIED:
-      return "the tolerance is met by estimate: sets of points in contact or at the hardness give no proof between some nodes";
-    default:
-      return "";
-  }
+  if (status == RC_OK) status = judged(*this);
+  if (remark.empty()) remark = remark_of(*this);
 }
 
 }  // namespace rc

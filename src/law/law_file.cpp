@@ -12,13 +12,15 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/files.h"
 
 namespace rc {
 
 namespace {
 
-constexpr std::string_view format_name = law_file_begins;
+constexpr std::string_view format_name = "roughcontact-law ";
 constexpr long long newest_version = 1, most_nodes = 10'000'000;
+constexpr std::uint64_t most_bytes = 4'000'000'000;  // of so many nodes
 
 std::uint64_t checksum(std::string_view text) {
   std::uint64_t sum = 14695981039346656037u;
@@ -114,20 +116,7 @@ void check_nodes(const std::vector<rc_law_node>& nodes) {
   }
 }
 
-}  // namespace
-
-std::string text_of(const Law& law) {
-  std::string text = join(format_name, newest_version, '\n');
-  for (const auto& [name, number] : numbers_of(law)) text += join(name, ' ', exact(*number), '\n');
-  text += join("bulk ", law.info.bulk, "\nsolves ", law.info.solves, "\nstatus ", law.status, "\nnodes ", law.nodes.size(), '\n');
-  for (const rc_law_node& node : law.nodes) {
-    for (const double* number : numbers_in(node)) text += exact(*number) + ' ';
-    text += join(node.bounds, '\n');
-  }
-  return text + sum_line(text);
-}
-
-std::unique_ptr<Law> law_of(std::string_view text) {
+std::unique_ptr<rc_law> law_of(std::string_view text) {
   LawReader reader(text);
   if (!text.starts_with(format_name)) fail(RC_ERR_ARGUMENT, "not a file of a law: it does not begin with \"", format_name, '"');
   reader.word();
@@ -138,7 +127,7 @@ std::unique_ptr<Law> law_of(std::string_view text) {
   const std::size_t end = text.rfind("sum ");
   if (end == text.npos || text.substr(end) != sum_line(text.substr(0, end)))
     fail(RC_ERR_ARGUMENT, "damaged: its checksum differs; copy it again as a binary file, or make the law again");
-  auto law = std::make_unique<Law>();
+  auto law = std::make_unique<rc_law>();
   for (const auto& [name, number] : numbers_of(*law)) {
     reader.expect(name);
     *number = reader.real();
@@ -161,8 +150,29 @@ std::unique_ptr<Law> law_of(std::string_view text) {
   }
   check_nodes(law->nodes);
   law->finish();
-  if (law->status == RC_OK) law->status = law->judged();
   return law;
+}
+
+}  // namespace
+
+std::string text_of(const Law& law) {
+  std::string text = join(format_name, newest_version, '\n');
+  for (const auto& [name, number] : numbers_of(law)) text += join(name, ' ', exact(*number), '\n');
+  text += join("bulk ", law.info.bulk, "\nsolves ", law.info.solves, "\nstatus ", law.status, "\nnodes ", law.nodes.size(), '\n');
+  for (const rc_law_node& node : law.nodes) {
+    for (const double* number : numbers_in(node)) text += exact(*number) + ' ';
+    text += join(node.bounds, '\n');
+  }
+  return text + sum_line(text);
+}
+
+std::unique_ptr<rc_law> read_law(const char* path) {
+  const std::string text = read_file(path, format_name, most_bytes);
+  try {
+    return law_of(text);
+  } catch (const Error& error) {
+    fail(error.code(), path, ": ", error.what());
+  }
 }
 
 }  // namespace rc

@@ -4,6 +4,10 @@
 #include <math.h>
 #include <stdint.h>
 
+typedef struct law_table_head Head;
+typedef struct law_table_piece Piece;
+typedef struct law_table_node Node;
+
 double roughcontact_law_bucket(double x) {
   union {
     double value;
@@ -13,42 +17,37 @@ double roughcontact_law_bucket(double x) {
   return (double)(int64_t)(of.bits >> 46); /* exponent and six bits of the fraction */
 }
 
-static const double* pieces(const double* table) { return table + law_table_head; }
-static const double* nodes(const double* table) { return pieces(table) + law_table_piece * (int)table[1]; }
-static const double* buckets(const double* table) { return nodes(table) + law_table_node * (int)table[2]; }
-
 static double smaller(double a, double b) { return a < b ? a : b; }
 static double larger(double a, double b) { return a > b ? a : b; }
 
-/* The last of n records, stride numbers apart, that begins at or before a value: bisection without a branch. */
-static const double* last_at(const double* record, int n, int stride, double value) {
-  while (n > 1) {
-    const int half = n / 2;
-    record += record[half * stride] <= value ? half * stride : 0;
-    n -= half;
+static const Piece* piece_at(const double* table, double x) {
+  const Head* const head = law_head(table);
+  const Piece *piece = law_pieces(table), *const last = law_last_piece(table);
+  const double bucket = roughcontact_law_bucket(x) - head->first_bucket;
+  if (bucket >= head->buckets) return last;
+  if (bucket >= 0) {
+    const double* const buckets = (const double*)(law_nodes(table) + (int)head->nodes);
+    piece += (int)buckets[(int)bucket];
   }
-  return record;
-}
-
-static const double* last_piece(const double* table) { return pieces(table) + law_table_piece * ((int)table[1] - 1); }
-
-static const double* piece_at(const double* table, double x) {
-  const double* const last = last_piece(table);
-  const double bucket = roughcontact_law_bucket(x) - table[4];
-  const double* piece = pieces(table);
-  if (bucket >= table[5]) return last;
-  if (bucket >= 0) piece += law_table_piece * (int)buckets(table)[(int)bucket];
-  while (piece < last && piece[law_table_piece] <= x) piece += law_table_piece;
+  while (piece < last && piece[1].x <= x) ++piece;
   return piece;
 }
 
-static int outside(const double* table, const double* piece, double excess) {
-  return piece == last_piece(table) && excess > 0 ? 106 : 0;
+/* The piece on which p first reaches a value > 0: of pieces that begin at the same p, all but the last are level. */
+static const Piece* piece_of(const double* table, double p) {
+  const Piece *const first = law_pieces(table), *piece = first;
+  int n;
+  for (n = (int)law_head(table)->pieces; n > 1; n -= n / 2) /* bisection without a branch */
+    piece += piece[n / 2].p <= p ? n / 2 : 0;
+  while (piece > first && piece->p >= p && piece[-1].p >= p) --piece;
+  return piece;
 }
 
+static int status_on(const Piece* piece, const Piece* last, double excess) { return piece == last && excess > 0 ? 106 : 0; }
+
 int roughcontact_law_pressure(const double* table, double x, double* p, double* slope, double* energy) {
-  const double* piece;
-  double t;
+  const Piece *piece, *last;
+  double t, pressure;
   if (!(x > 0)) {
     if (x != x) return -1;
     *p = 0;
@@ -58,36 +57,30 @@ int roughcontact_law_pressure(const double* table, double x, double* p, double* 
   }
   if (x > DBL_MAX) return -1;
   piece = piece_at(table, x);
-  t = x - piece[0];
-  *p = piece[1] + t * (piece[2] + t * piece[3]);
-  if (piece < last_piece(table)) *p = smaller(*p, piece[law_table_piece + 1]); /* round-off */
-  if (slope) *slope = piece[2] + 2 * t * piece[3];
-  if (energy) *energy = piece[4] + t * (piece[1] + t * (piece[2] / 2 + t * (piece[3] / 3)));
-  return outside(table, piece, t);
+  last = law_last_piece(table);
+  t = x - piece->x;
+  pressure = piece->p + t * (piece->slope + t * piece->half_bend);
+  *p = piece < last ? smaller(pressure, piece[1].p) : pressure; /* round-off */
+  if (slope) *slope = piece->slope + 2 * t * piece->half_bend;
+  if (energy) *energy = piece->energy + t * (piece->p + t * (piece->slope / 2 + t * (piece->half_bend / 3)));
+  return status_on(piece, last, t);
 }
 
 /* The slope squared is linear in p on each piece. If a square leaves double precision, the sum is taken of its roots. */
-static double slope_on(const double* piece, double excess) {
-  const double square = piece[2] * piece[2] + 4 * piece[3] * excess;
+static double slope_on(const Piece* piece, double excess) {
+  const double square = piece->slope * piece->slope + 4 * piece->half_bend * excess;
   if (square > 1e-280 && square < 1e300) return sqrt(square);
   {
-    const double first = piece[2], bent = 2 * sqrt(larger(piece[3], -piece[3])) * sqrt(larger(excess, 0));
+    const double first = piece->slope, bent = 2 * sqrt(larger(piece->half_bend, -piece->half_bend)) * sqrt(larger(excess, 0));
     const double most = larger(first, bent), share = most > 0 ? smaller(first, bent) / most : 0;
-    if (piece[3] >= 0) return most * sqrt(1 + share * share);
+    if (piece->half_bend >= 0) return most * sqrt(1 + share * share);
     return first > bent ? first * sqrt((1 - share) * (1 + share)) : 0;
   }
 }
 
-/* The piece on which p first reaches a value: of pieces that begin at the same p, all but the last are level. */
-static const double* piece_of(const double* table, double p) {
-  const double* piece = last_at(pieces(table) + 1, (int)table[1], law_table_piece, p) - 1;
-  while (piece > pieces(table) && piece[1] >= p && piece[1 - law_table_piece] >= p) piece -= law_table_piece;
-  return piece;
-}
-
 int roughcontact_law_overclosure(const double* table, double p, double* x) {
-  const double* piece;
-  double excess;
+  const Piece *piece, *last;
+  double excess, overclosure;
   if (!(p > 0)) {
     if (p != p) return -1;
     *x = 0;
@@ -95,14 +88,15 @@ int roughcontact_law_overclosure(const double* table, double p, double* x) {
   }
   if (p > DBL_MAX) return -1;
   piece = piece_of(table, p);
-  excess = p - piece[1];
-  *x = excess > 0 ? piece[0] + 2 * excess / (piece[2] + slope_on(piece, excess)) : piece[0];
-  if (piece < last_piece(table)) *x = smaller(*x, piece[law_table_piece]);
-  return outside(table, piece, excess);
+  last = law_last_piece(table);
+  excess = p - piece->p;
+  overclosure = excess > 0 ? piece->x + 2 * excess / (piece->slope + slope_on(piece, excess)) : piece->x;
+  *x = piece < last ? smaller(overclosure, piece[1].x) : overclosure; /* round-off */
+  return status_on(piece, last, excess);
 }
 
 int roughcontact_law_slope(const double* table, double p, double* slope) {
-  const double* piece;
+  const Piece* piece;
   if (!(p > 0)) {
     if (p != p) return -1;
     *slope = 0;
@@ -110,44 +104,43 @@ int roughcontact_law_slope(const double* table, double p, double* slope) {
   }
   if (p > DBL_MAX) return -1;
   piece = piece_of(table, p);
-  *slope = slope_on(piece, p - piece[1]);
-  return outside(table, piece, p - piece[1]);
+  *slope = slope_on(piece, p - piece->p);
+  return status_on(piece, law_last_piece(table), p - piece->p);
 }
 
-void roughcontact_law_envelope(const double* node, const double* next, double x, double* p_lower, double* p_upper) {
-  const double t = x - node[0], rest = next[0] - x, share = t / (next[0] - node[0]), bow = share * (1 - share);
-  *p_lower = larger(node[1], node[1] + node[3] * t);
-  *p_upper = smaller(next[2], next[2] - node[3] * rest);
-  if (node[4] < DBL_MAX) { /* a bound is known */
-    *p_lower = larger(*p_lower, next[1] - node[4] * rest);
-    *p_upper = smaller(*p_upper, node[2] + node[4] * t);
-    *p_lower = larger(*p_lower, node[1] + (next[1] - node[1]) * share - node[6] * bow);
-    *p_upper = smaller(*p_upper, node[2] + (next[2] - node[2]) * share + node[5] * bow);
-  }
+void roughcontact_law_envelope(const Node* node, const Node* next, double x, double* p_lower, double* p_upper) {
+  const double h = next->x - node->x, t = x - node->x, rest = next->x - x, share = t / h, bow = share * (1 - share);
+  *p_lower = larger(node->p_lower, node->p_lower + node->between_lower * t);
+  *p_upper = smaller(next->p_upper, next->p_upper - node->between_lower * rest);
+  if (!(node->between_upper < DBL_MAX)) return;
+  *p_lower = larger(*p_lower, next->p_lower - node->between_upper * rest);
+  *p_upper = smaller(*p_upper, node->p_upper + node->between_upper * t);
+  *p_lower = larger(*p_lower, node->p_lower + (next->p_lower - node->p_lower) * share - node->below * bow);
+  *p_upper = smaller(*p_upper, node->p_upper + (next->p_upper - node->p_upper) * share + node->above * bow);
 }
 
 void roughcontact_law_bounds_at(const double* table, double x, double p, struct roughcontact_law_bounds* bounds) {
-  const double* const node = nodes(table) + law_table_node * (int)((piece_at(table, x) - pieces(table)) / (2 * law_table_piece));
-  const double* const next = node + law_table_node;
-  const double t = x - node[0];
-  bounds->slope_lower = larger(0, node[3]);
-  bounds->slope_upper = node[4];
-  bounds->area_lower = node[9];
-  if (node == nodes(table) + law_table_node * ((int)table[2] - 1)) {
-    bounds->p_lower = node[1] + node[3] * t;
-    bounds->p_upper = t > 0 ? HUGE_VAL : node[2];
-    bounds->area = smaller(1, node[8] * p / node[7]);
-    bounds->area_upper = t > 0 ? 1 : node[10];
+  const Node* const node = law_nodes(table) + (piece_at(table, x) - law_pieces(table)) / 2; /* two pieces from node to node */
+  const Node* const next = node + 1;
+  bounds->slope_lower = larger(0, node->between_lower);
+  bounds->slope_upper = node->between_upper;
+  bounds->area_lower = node->area_lower;
+  if (node == law_nodes(table) + ((int)law_head(table)->nodes - 1)) { /* there is no next one: the area grows as p does */
+    const double t = x - node->x;
+    bounds->p_lower = node->p_lower + node->between_lower * t;
+    bounds->p_upper = t > 0 ? HUGE_VAL : node->p_upper;
+    bounds->area = smaller(1, node->area * p / node->p);
+    bounds->area_upper = t > 0 ? 1 : node->area_upper;
     return;
   }
   {
-    const double rise = next[7] - node[7], share = rise > 0 ? (p - node[7]) / rise : 0;
+    const double rise = next->p - node->p, share = rise > 0 ? (p - node->p) / rise : 0;
     roughcontact_law_envelope(node, next, x, &bounds->p_lower, &bounds->p_upper);
-    bounds->area = node[8] + (next[8] - node[8]) * larger(0, smaller(1, share));
-    bounds->area_upper = next[10];
-    if (!(node[4] < DBL_MAX)) { /* the sets are not known to be nested */
-      bounds->area_lower = smaller(node[9], next[9]);
-      bounds->area_upper = larger(node[10], next[10]);
+    bounds->area = node->area + (next->area - node->area) * larger(0, smaller(1, share));
+    bounds->area_upper = next->area_upper;
+    if (!(node->between_upper < DBL_MAX)) { /* the sets are not known to be nested */
+      bounds->area_lower = smaller(node->area_lower, next->area_lower);
+      bounds->area_upper = larger(node->area_upper, next->area_upper);
     }
   }
 }

@@ -1,14 +1,9 @@
 /* The evaluation of a contact law from its table. table.c and this file depend on nothing but sqrt, so that a program can compile
  * them in, and read the numbers that rc_law_export writes as RC_LAW_TABLE: first how many there are, then the numbers.
  *
- * The numbers of a table are, from 0 on:
- *   how many numbers   pieces   nodes   2 / E*   first bucket   buckets   0   0
- *   pieces: x, p, dp/dx, half of d2p/dx2 and energy where each begins; two for an interval between nodes, one beyond the last
- *   nodes: x, p_lower, p_upper, between_lower, between_upper, above, below, p, area, area_lower, area_upper; up to the next
- *     node, p is at most above s (1 - s) higher and below s (1 - s) lower than the chord, s being the share of the interval
- *   buckets: the last piece that begins at or before each of 64 values of x an octave
- * Every function returns 0, 106 (RC_OUTSIDE) beyond the last node or -1 (RC_ERR_ARGUMENT) for NaN and infinity, and keeps
- * nothing. */
+ * A table consists of doubles: its head, its pieces, its nodes and its buckets. A bucket is the number of the last piece that
+ * begins at or before a value of x; there are 64 such values an octave. Every function of type int returns 0, 106
+ * (RC_OUTSIDE) beyond the last node or -1 (RC_ERR_ARGUMENT) for NaN and infinity. No function keeps anything. */
 #ifndef ROUGHCONTACT_LAW_TABLE_H
 #define ROUGHCONTACT_LAW_TABLE_H
 
@@ -16,7 +11,36 @@
 extern "C" {
 #endif
 
-enum { law_table_head = 8, law_table_piece = 5, law_table_node = 11 };
+struct law_table_head {
+  double numbers, pieces, nodes; /* how many: numbers in the table, pieces, nodes */
+  double conductance;            /* 2 / E*: the conductance over dp/dx, times the sum of both resistivities; NaN: none */
+  double first_bucket, buckets;  /* roughcontact_law_bucket of the first one, and how many there are */
+  double reserved[2];            /* 0 */
+};
+
+/* A parabola, up to where the next piece begins: two between two nodes, and one beyond the last node. */
+struct law_table_piece {
+  double x, p, slope, half_bend, energy; /* where it begins: x, p, dp/dx, half of d2p/dx2, and the integral of p over x */
+};
+
+struct law_table_node {
+  double x, p_lower, p_upper;
+  double between_lower, between_upper; /* bounds of dp/dx up to the next node; DBL_MAX: no bound is known */
+  double above, below; /* up to the next node, at the share s of the interval, p is at most above s (1 - s) higher than the chord
+                          of p_upper, and at most below s (1 - s) lower than that of p_lower */
+  double p, area, area_lower, area_upper; /* areas over the nominal area */
+};
+
+static inline const struct law_table_head* law_head(const double* table) { return (const struct law_table_head*)table; }
+static inline const struct law_table_piece* law_pieces(const double* table) {
+  return (const struct law_table_piece*)(law_head(table) + 1);
+}
+static inline const struct law_table_piece* law_last_piece(const double* table) {
+  return law_pieces(table) + ((int)law_head(table)->pieces - 1);
+}
+static inline const struct law_table_node* law_nodes(const double* table) {
+  return (const struct law_table_node*)(law_last_piece(table) + 1);
+}
 
 /* In which of 64 buckets an octave a number > 0 is; exact in a double. */
 double roughcontact_law_bucket(double x);
@@ -32,8 +56,9 @@ struct roughcontact_law_bounds {
 /* At an overclosure > 0 and its pressure. */
 void roughcontact_law_bounds_at(const double* table, double x, double p, struct roughcontact_law_bounds* bounds);
 
-/* The bounds of p between two neighbouring nodes of a table. */
-void roughcontact_law_envelope(const double* node, const double* next, double x, double* p_lower, double* p_upper);
+/* The bounds of p between two neighbouring nodes. */
+void roughcontact_law_envelope(const struct law_table_node* node, const struct law_table_node* next, double x, double* p_lower,
+                               double* p_upper);
 
 #ifdef __cplusplus
 }

@@ -1,10 +1,15 @@
 // rc_law_*
+#include <roughcontact/law.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
+#include <map>
 #include <memory>
+#include <mutex>
+#include <string>
 
 #include "abi/guard.h"
 #include "abi/sized_struct.h"
@@ -12,12 +17,7 @@
 #include "law/cards.h"
 #include "law/create.h"
 #include "law/law_file.h"
-#include "law/named.h"
 #include "law/table.h"
-
-struct rc_law {
-  std::unique_ptr<const rc::Law> made;
-};
 
 namespace {
 
@@ -25,23 +25,25 @@ using namespace rc;
 
 const Law& valid(const rc_law* law) {
   if (!law) fail(RC_ERR_ARGUMENT, "law is null");
-  return *law->made;
+  return *law;
 }
 
-rc_law* loaded(const char* path) {
-  const std::string text = read_file(path, law_file_begins, law_file_most);
-  try {
-    return new rc_law{law_of(text)};
-  } catch (const Error& error) {
-    fail(error.code(), path, ": ", error.what());
-  }
-}
-
-// The status of a law from a file is that of its making.
-rc_status concluded(const rc_law* law) {
+// What a call returns that made the law or read it.
+rc_status concluded(const Law& law) {
   clear_message();
-  if (law->made->status > 0) set_message(remark_of(*law->made).c_str());
-  return law->made->status;
+  if (law.status > 0) set_message(law.remark.c_str());
+  return law.status;
+}
+
+// The law of that name. The first call for a name reads it; if that throws, the name stays unknown. The list is never destroyed:
+// threads may evaluate laws while the process ends.
+const rc_law& named_law(const char* name, const char* path) {
+  static auto& lock = *new std::mutex;
+  static auto& laws = *new std::map<std::string, std::unique_ptr<const rc_law>, std::less<>>;
+  const std::lock_guard locked(lock);
+  auto found = laws.find(name);
+  if (found == laws.end()) found = laws.emplace(name, read_law(path)).first;
+  return *found->second;
 }
 
 // The message of an evaluation, which is a number or a missing argument at fault.
@@ -62,11 +64,8 @@ rc_status rc_law_create(const rc_system* system, const rc_options* options, cons
     const rc_system patch = read<rc_system>(system, "rc_system", RC_SYSTEM_INIT);
     const rc_law_spec wanted = read<rc_law_spec>(spec, "rc_law_spec", RC_LAW_SPEC_INIT);
     check_reserved(wanted.reserved, "rc_law_spec.reserved");
-    LawMade made = create_law(patch, options, wanted);
-    *out = new rc_law{std::move(made.law)};
-    clear_message();
-    if (made.status > 0) set_message(made.remark.c_str());
-    return made.status;
+    *out = create_law(patch, options, wanted).release();
+    return concluded(**out);
   });
 }
 
@@ -92,7 +91,7 @@ rc_status rc_law_describe_node(const rc_law* law, int64_t i, rc_law_node* out) {
 }
 
 rc_status rc_law_pressure(const rc_law* law, double x, double* p, double* slope, double* energy) {
-  const int status = law && p ? roughcontact_law_pressure(law->made->table.data(), x, p, slope, energy) : RC_ERR_ARGUMENT;
+  const int status = law && p ? roughcontact_law_pressure(law->table.data(), x, p, slope, energy) : RC_ERR_ARGUMENT;
   return status >= 0 ? status : refused("rc_law_pressure", null_or_nan);
 }
 
@@ -101,8 +100,8 @@ rc_status rc_law_pressures(const rc_law* law, int64_t n, const double* x, double
   int worst = RC_OK;
   for (std::int64_t i = 0; i < n; ++i) {
     double pressure = 0;
-    const int status = roughcontact_law_pressure(law->made->table.data(), x[i], p ? p + i : &pressure,
-                                                 slope ? slope + i : nullptr, energy ? energy + i : nullptr);
+    const int status = roughcontact_law_pressure(law->table.data(), x[i], p ? p + i : &pressure, slope ? slope + i : nullptr,
+                                                 energy ? energy + i : nullptr);
     if (status < 0)
       return guard("rc_law_pressures", [&]() -> rc_status { fail(RC_ERR_ARGUMENT, "x[", i, "] = ", x[i], " is not finite"); });
     worst = std::max(worst, status);
@@ -111,7 +110,7 @@ rc_status rc_law_pressures(const rc_law* law, int64_t n, const double* x, double
 }
 
 rc_status rc_law_overclosure(const rc_law* law, double p, double* x) {
-  const int status = law && x ? roughcontact_law_overclosure(law->made->table.data(), p, x) : RC_ERR_ARGUMENT;
+  const int status = law && x ? roughcontact_law_overclosure(law->table.data(), p, x) : RC_ERR_ARGUMENT;
   return status >= 0 ? status : refused("rc_law_overclosure", null_or_nan);
 }
 
@@ -119,10 +118,10 @@ rc_status rc_law_gap_conductance(const rc_law* law, double p, double rho1, doubl
   if (!law || !conductance) return refused("rc_law_gap_conductance", null_or_nan);
   if (!(rho1 >= 0 && rho2 >= 0 && rho1 + rho2 > 0))
     return refused("rc_law_gap_conductance", "rho1 and rho2 must be >= 0, not both 0");
-  const double scale = law->made->table[3];
+  const double scale = law->conductance();
   if (std::isnan(scale)) return refused("rc_law_gap_conductance", no_conductance);
   double slope = 0;
-  const int status = roughcontact_law_slope(law->made->table.data(), p, &slope);
+  const int status = roughcontact_law_slope(law->table.data(), p, &slope);
   if (status < 0) return refused("rc_law_gap_conductance", null_or_nan);
   *conductance = scale * slope / (rho1 + rho2);
   return status;
@@ -139,21 +138,22 @@ rc_status rc_law_evaluate(const rc_law* law, double x, rc_law_point* out) {
     });
     if (status != RC_OK) return status;
   }
-  const std::vector<double>& table = law->made->table;
-  const int status = roughcontact_law_pressure(table.data(), x, &point.p, &point.slope, &point.energy);
+  const double* const table = law->table.data();
+  const double scale = law->conductance();
+  const int status = roughcontact_law_pressure(table, x, &point.p, &point.slope, &point.energy);
   point.x = x;
-  point.conductance = point.conductance_lower = point.conductance_upper = table[3] * point.slope;
+  point.conductance = point.conductance_lower = point.conductance_upper = scale * point.slope;
   if (x > 0) {
     roughcontact_law_bounds bounds{};
-    roughcontact_law_bounds_at(table.data(), x, point.p, &bounds);
+    roughcontact_law_bounds_at(table, x, point.p, &bounds);
     point.p_lower = bounds.p_lower;
     point.p_upper = bounds.p_upper;
     point.area_fraction = bounds.area;
     point.area_lower = bounds.area_lower;
     point.area_upper = bounds.area_upper;
-    point.conductance_lower = table[3] * bounds.slope_lower;
-    const bool unbounded = !std::isnan(table[3]) && bounds.slope_upper >= std::numeric_limits<double>::max();
-    point.conductance_upper = unbounded ? std::numeric_limits<double>::infinity() : table[3] * bounds.slope_upper;
+    point.conductance_lower = scale * bounds.slope_lower;
+    const bool unbounded = !std::isnan(scale) && bounds.slope_upper >= std::numeric_limits<double>::max();
+    point.conductance_upper = unbounded ? std::numeric_limits<double>::infinity() : scale * bounds.slope_upper;
   }
   write(out, point);
   return status;
@@ -173,8 +173,8 @@ rc_status rc_law_load(const char* path, rc_law** out) {
     if (!out) fail(RC_ERR_ARGUMENT, "out is null");
     *out = nullptr;
     if (!path) fail(RC_ERR_ARGUMENT, "path is null");
-    *out = loaded(path);
-    return concluded(*out);
+    *out = read_law(path).release();
+    return concluded(**out);
   });
 }
 
@@ -195,8 +195,8 @@ rc_status rc_law_open(const char* name, const char* path, const rc_law** out) {
     if (!out) fail(RC_ERR_ARGUMENT, "out is null");
     *out = nullptr;
     if (!name || name[0] == '\0') fail(RC_ERR_ARGUMENT, "name is null or empty");
-    *out = named_law(name, [&] { return loaded(path ? path : join(name, ".law").c_str()); });
-    return concluded(*out);
+    *out = &named_law(name, path ? path : join(name, ".law").c_str());
+    return concluded(**out);
   });
 }
 
