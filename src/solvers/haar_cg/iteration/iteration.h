@@ -1,4 +1,4 @@
-// The method haar-cg, written once for every machine. README.md has it in pseudo-code and explains the constants. The iteration
+// The method haar-cg, written once for every machine. README.md has it in pseudo-code, constants.md its numbers. The iteration
 // never reads a vector's values: all its decisions follow from sums. What it consists of is constexpr, so that compilers for
 // devices take it as code of theirs as well.
 #pragma once

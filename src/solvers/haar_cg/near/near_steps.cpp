@@ -22,7 +22,7 @@ constexpr std::size_t share = 16;             // the part of the contact set tha
 constexpr std::size_t few_changes = 4;        // points that may change in any case
 constexpr std::int64_t most_cells = 1 << 14;  // of the grid: products of larger ones cost more than the contact set
 constexpr int near_first = 12;                // steps near each other after which an inverse is made
-constexpr std::size_t room = 5;               // for a quarter more points than there are
+constexpr std::size_t room = 5;               // the part of the contact set by which it may grow before memory is taken anew
 
 std::size_t contacts_of(std::span<const double> p) {
   return static_cast<std::size_t>(std::count_if(p.begin(), p.end(), [](double value) { return value > 0; }));
