@@ -26,6 +26,6 @@ module roughcontact_constants
   character(*), parameter :: RC_OPT_SOLVER = 'solver', RC_OPT_BACKEND = 'backend', RC_OPT_KERNEL = 'kernel', RC_OPT_TOL = 'tol', &
     RC_OPT_MAX_ITER = 'max_iter', RC_OPT_TIME_LIMIT = 'time_limit', RC_OPT_THREADS = 'threads', RC_OPT_STIFFNESS = 'stiffness', &
     RC_OPT_ALLOW_FALLBACK = 'allow_fallback', RC_OPT_CERTIFY_BACKEND = 'certify_backend', RC_OPT_WARMUP = 'warmup', &
-    RC_OPT_WARMUP_ITERATIONS = 'warmup.iterations', RC_OPT_BOUNDS = 'bounds', RC_OPT_DETERMINISTIC = 'deterministic', &
-    RC_OPT_RESUMABLE = 'resumable', RC_OPT_ACCURACY = 'accuracy', RC_OPT_ACCURACY_OF = 'accuracy.of'
+    RC_OPT_WARMUP_ITERATIONS = 'warmup.iterations', RC_OPT_BOUNDS = 'bounds', RC_OPT_RESUMABLE = 'resumable', &
+    RC_OPT_ACCURACY = 'accuracy', RC_OPT_ACCURACY_OF = 'accuracy.of'
 end module

@@ -360,7 +360,6 @@ typedef struct rc_accuracy {
 #define RC_OPT_WARMUP "warmup"
 #define RC_OPT_WARMUP_ITERATIONS "warmup.iterations"
 #define RC_OPT_BOUNDS "bounds"
-#define RC_OPT_DETERMINISTIC "deterministic"
 #define RC_OPT_RESUMABLE "resumable"
 #define RC_OPT_ACCURACY "accuracy"
 #define RC_OPT_ACCURACY_OF "accuracy.of"

@@ -61,7 +61,7 @@ struct Candidate {
   const rc_backend* backend = nullptr;
   double seconds = 0, bytes = 0;
   bool scored = false;     // solver and backend both estimate their cost
-  bool repeats = true;     // its bits do not depend on threads, or may
+  bool repeats = true;     // its bits do not depend on threads
   std::string obstacle;    // why it cannot be chosen; "" if it can
   bool too_large = false;  // the obstacle: bytes is more than this machine has
 
@@ -95,7 +95,7 @@ struct Question {
   const rc_solver* const solver =
       options.text(RC_OPT_SOLVER) == "auto" || facts.partial ? nullptr : &options.context->solver(options.text(RC_OPT_SOLVER));
   const bool any_backend = options.text(RC_OPT_BACKEND) == "auto";
-  const bool fallbacks = options.integer(RC_OPT_ALLOW_FALLBACK) != 0, deterministic = options.integer(RC_OPT_DETERMINISTIC) != 0;
+  const bool fallbacks = options.integer(RC_OPT_ALLOW_FALLBACK) != 0;
   const Host host{*options.context, system.kernel.influence.get()};
 
   // Every pair of these, the best first.
@@ -202,13 +202,12 @@ struct Question {
       return;
     }
     if (!(whole.seconds >= 0)) return leave(list, &by, backend, "its estimate on ", backend.name, " is not a time");
-    const bool repeats = (backend.caps & RC_CAP_THREAD_INVARIANT) != 0 || !deterministic;
     list.push_back({.solver = &by,
                     .backend = &backend,
                     .seconds = whole.seconds,
                     .bytes = whole.bytes,
                     .scored = scored && known,
-                    .repeats = repeats});
+                    .repeats = (backend.caps & RC_CAP_THREAD_INVARIANT) != 0});
   }
 };
 
@@ -255,7 +254,7 @@ std::string line_of(const Candidate& pair, const Candidate& taken) {
   if (!pair.obstacle.empty()) return join(pair.solver ? pair.solver->name : pair.backend->name, ": ", pair.obstacle);
   const char* const why = &pair == &taken                  ? "taken"
                           : !pair.scored && taken.scored   ? "does not say what it costs"
-                          : !pair.repeats && taken.repeats ? "its bits depend on threads, and deterministic is 1"
+                          : !pair.repeats && taken.repeats ? "its bits depend on threads"
                           : pair.seconds > taken.seconds   ? "slower"
                                                            : "later by name";
   return join(pair.solver->name, " on ", pair.backend->name, ": ", cost_of(pair), ", ", why);

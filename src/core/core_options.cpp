@@ -25,8 +25,6 @@ constexpr rc_option_spec core_specs[] = {
         RC_OPT_THREADS, "1", 1, most_threads,
         "threads that a contact may use, or a batch of contacts; the command and Python set one for each 16384 points, up to all "
         "cores")),
-    fixed(int_option(RC_OPT_DETERMINISTIC, "1", 0, 1,
-                     "1: the same bits in every run and for every number of threads; 0: components may trade them for speed")),
     int_option(RC_OPT_STIFFNESS, "0", 0, 2,
                "1: compute dW/dd of the contact set, one more linear solve; 2: prove an interval of it, up to two more"),
     int_option(RC_OPT_ALLOW_FALLBACK, "1", 0, 1,

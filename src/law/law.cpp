@@ -116,8 +116,8 @@ std::vector<double> table_of(law_table_head head, const std::vector<law_table_pi
   append(pieces.data(), pieces.size());
   append(nodes.data(), nodes.size());
   std::size_t piece = 0;
-  for (double bucket = head.first_bucket; bucket < head.first_bucket + head.buckets; ++bucket) {
-    const auto lies_before = [&](double x) { return x <= 0 || roughcontact_law_bucket(x) < bucket; };
+  for (int i = 0; i < static_cast<int>(head.buckets); ++i) {
+    const auto lies_before = [&](double x) { return x <= 0 || roughcontact_law_bucket(x) < head.first_bucket + i; };
     while (piece + 1 < pieces.size() && lies_before(pieces[piece + 1].x)) ++piece;
     numbers.push_back(static_cast<double>(piece));
   }
@@ -181,8 +181,8 @@ LawInterval Law::curve_of(std::size_t i) const {
     return bounds.hold(curve) ? curve : chord_between(node, next);
   }
   if (const auto curve = with_tangents(node, next); curve && bounds.hold(*curve)) return *curve;
-  for (double share = 0.5; share > 1e-3; share /= 2)
-    for (const double knot : {share, 1 - share})
+  for (int halvings = 1; halvings < 10; ++halvings)
+    for (const double share = std::ldexp(1, -halvings); const double knot : {share, 1 - share})
       if (const auto curve = with_knot(node, next, knot); curve && bounds.hold(*curve)) return *curve;
   return chord_between(node, next);
 }

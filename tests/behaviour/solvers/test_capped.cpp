@@ -87,7 +87,7 @@ void threads_do_not_change_a_bit() {
           problem.control = RC_CONTROL_APPROACH;
         }
         const auto with = [&](const char* threads) {
-          return solved(problem, pair, {{RC_OPT_TOL, "1e-8"}, {RC_OPT_DETERMINISTIC, "1"}, {RC_OPT_THREADS, threads}});
+          return solved(problem, pair, {{RC_OPT_TOL, "1e-8"}, {RC_OPT_THREADS, threads}});
         };
         const Answer alone = with("1");
         check(alone.result.capped > 0, "no point is at the hardness");

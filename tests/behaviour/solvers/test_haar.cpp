@@ -45,8 +45,7 @@ void precisions_agree() {
 void same_bits_for_any_threads(const Problem& problem, const Pair& pair, const char* precision) {
   const auto with = [&](const char* threads) {
     return solved(problem, pair,
-                  {{RC_OPT_DETERMINISTIC, "1"},
-                   {RC_OPT_THREADS, threads},
+                  {{RC_OPT_THREADS, threads},
                    {RC_OPT_TOL, std::string(precision) == "single" ? "1e-5" : "1e-8"},
                    {"fft.precision", precision}});
   };

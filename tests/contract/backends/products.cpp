@@ -124,7 +124,6 @@ void every_choice_of_an_option_gives_the_same_product(const rc_backend& backend)
       const std::string choice = choices.substr(begin, end - begin);
       for_each_problem(backend, 21, 10, 1.0, 1.0, [&](const Problem& problem) {
         StandInHost host(backend);
-        host.set("deterministic", "0");  // some choices are refused otherwise
         host.set(key, choice);
         Operator op(backend, host, problem.system());
         op.bind(problem.all(), problem.zero_mode());

@@ -174,14 +174,14 @@ void a_certifying_backend_proves_the_interval_of_the_stiffness(void**) {
   assert_true(found.stiffness_lower <= found.stiffness && found.stiffness <= found.stiffness_upper);
 }
 
-void bits_that_depend_on_threads_are_for_those_who_ask(void**) {
+void bits_that_depend_on_threads_are_for_those_who_name_the_backend(void**) {
   const Registry registry("", RC_CONTEXT_NO_PLUGINS);
   rc_backend backend;
   add_backend(registry, backend, "loose", at_once, linked().backends[0]->create, 0);
   const Pressed pressed(registry);
   assert_true(pressed.pair().find("loose") == std::string::npos);
-  assert_has(pressed.explanation(), "its bits depend on threads, and deterministic is 1\n");
-  assert_has(Pressed(registry, {{RC_OPT_DETERMINISTIC, "0"}}).pair(), " on loose");
+  assert_has(pressed.explanation(), "its bits depend on threads\n");
+  assert_has(Pressed(registry, {{RC_OPT_BACKEND, "loose"}}).pair(), " on loose");
 }
 
 void the_least_time_decides_between_solvers(void**) {
@@ -282,7 +282,7 @@ const std::vector<CMUnitTest> choice_tests = {
     cmocka_unit_test(a_slow_backend_in_a_file_is_looked_at_and_left),
     cmocka_unit_test(a_fast_backend_is_taken),
     cmocka_unit_test(a_certifying_backend_proves_the_interval_of_the_stiffness),
-    cmocka_unit_test(bits_that_depend_on_threads_are_for_those_who_ask),
+    cmocka_unit_test(bits_that_depend_on_threads_are_for_those_who_name_the_backend),
     cmocka_unit_test(the_least_time_decides_between_solvers),
     cmocka_unit_test(ties_go_by_name),
     cmocka_unit_test(what_does_not_say_its_cost_comes_last),
