@@ -39,9 +39,9 @@ int main(void) {
   batch.targets = targets;
   batch.target_stride = RC_BATCH_SHARED; /* the same loads for all; surfaces follow one another */
   batch.undeformed_gap = gap[0];
-  batch.approach = approach[0];
-  batch.contact_area = area[0];
-  batch.status = status[0];
+  batch.columns.approach = approach[0];
+  batch.columns.contact_area = area[0];
+  batch.columns.status = status[0];
 
   rc_options* options = NULL;
   rc_status result = rc_options_create(NULL, &options);

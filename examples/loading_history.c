@@ -29,8 +29,8 @@ static rc_status press_and_release(void) {
   history.n = STEPS;
   history.targets = targets;
   history.undeformed_gap = gap;
-  history.load = load;
-  history.stiffness = stiffness;
+  history.columns.load = load;
+  history.columns.stiffness = stiffness;
   history.fn = report;
 
   rc_contact* contact = NULL;

@@ -28,7 +28,7 @@ contains
     end do
     targets = [(0.1e-6_c_double * min(k, 10 - k), k=1, steps)]
     history = rc_history(control=RC_CONTROL_APPROACH, n=steps, targets=c_loc(targets), undeformed_gap=c_loc(gap), &
-      load=c_loc(load), contact_area=c_loc(area))
+      columns=rc_columns(load=c_loc(load), contact_area=c_loc(area)))
     contact = c_null_ptr
     status = rc_contact_create(rc_system(boundary=RC_BOUNDARY_FREE, nx=n, ny=n, hx=1e-6_c_double, hy=1e-6_c_double, &
     modulus=70e9_c_double), c_null_ptr, contact)

@@ -17,7 +17,7 @@ import sys
 from typing import Any, Dict, Iterable, List, Sequence, Tuple
 
 try:
-    from c_interface import Function, Interface, Struct, Type, read, struct_size
+    from c_interface import Function, Interface, Struct, Type, layout, read, struct_size
 except ImportError as missing:
     if missing.name != "pycparser":
         raise
@@ -339,6 +339,19 @@ def python_module(summary: str, body: str, after: Sequence[str] = ()) -> str:
     return "\n".join([*lines, *[""] * (bool(after) + body.startswith("@")), body]) + "\n"
 
 
+def golden(headers: Sequence[str], found: Interface) -> str:
+    """The numbers of headers, as C that does not compile if they differ."""
+    lines = ["/* Written by scripts/bindings.py, see golden.h. */", '#include "golden.h"', "", *[f"#include <{each}>" for each in sorted(headers)], ""]
+    constants = {name: value for each in (*found.enums, found.numbers, found.bits) for name, value in each.items()}
+    for name, value in constants.items():
+        if not name.startswith("RC_VERSION_"):
+            lines.append(f"VALUE({name}, {value if value < 1 << 31 else f'INT64_C({value})'});")
+    for struct in found.structs():
+        size, offsets = layout(struct, found.known)
+        lines += ["", f"SIZE({struct.name}, {size});", *[f"AT({struct.name}, {name}, {at});" for name, at in offsets.items()]]
+    return "\n".join([*lines, ""])
+
+
 def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
     """{path: text}"""
     contact = read(HEADERS["contact"], include, cc)
@@ -350,6 +363,8 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
         if name.startswith("rc_mpi_") and all(kind.base != "MPI_Comm" for _, kind in each.arguments)
     }
     plugin = read(["roughcontact/plugin.h"], include, cc, contact)
+    ranks = read(["roughcontact/ranks.h"], include, cc, contact)
+    every = [*HEADERS["contact"], *HEADERS["surface"], *HEADERS["formats"], "roughcontact/ranks.h"]
     added = {name: plugin.functions[name] for name in FROM_PLUGIN}
     known = contact.functions.keys() | surface.functions.keys() | formats.functions.keys() | mpi.functions.keys()
     unknown = (SCALARS.keys() | OPTIONAL.keys()) - known
@@ -455,6 +470,9 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
             ),
             after=["_c", "_structs"],
         ),
+        "tests/contract/abi/golden.c": golden(every, read(every, include, cc)) + "\nint main(void) { return 0; }\n",
+        "tests/contract/abi/golden_plugin.c": golden(["roughcontact/plugin.h"], plugin),
+        "tests/contract/abi/symbols.txt": "".join(f"{name}\n" for name in sorted({**contact.functions, **ranks.functions, **plugin.functions})),
         "bindings/octave/result_fields.def": "/* Members of rc_result and rc_accuracy that rc_solve returns in info, under their names. Written by "
         "scripts/bindings.py. */\n" + "\n".join(members) + "\n",
     }

@@ -36,6 +36,7 @@ class Interface:
     def __init__(self, before: "Optional[Interface]" = None) -> None:
         self.enums: List[Dict[str, int]] = []
         self.numbers: Dict[str, int] = {}  # of macros
+        self.bits: Dict[str, int] = {}  # of macros without a sign
         self.strings: Dict[str, str] = {}
         self.types: Dict[str, Union[Struct, Function]] = {}
         self.functions: Dict[str, Function] = {}
@@ -118,16 +119,17 @@ def read(headers: List[str], include: pathlib.Path, cc: str, before: Optional[In
         found.files.add(node.coord.file)
         if node.coord.file in others:
             continue
-        if isinstance(node, c_ast.Typedef) and isinstance(node.type.type, c_ast.Struct) and node.type.type.decls:
-            members = [(each.name, type_of(each.type)) for each in node.type.type.decls]
+        body = node.type.type if isinstance(node, c_ast.Typedef) else node.type if isinstance(node, c_ast.Decl) else None
+        if isinstance(body, c_ast.Struct) and body.decls:
+            members = [(each.name, type_of(each.type)) for each in body.decls]
             names = [name for name, _ in members]
             numbers = {}  # of arrays: zeros
-            for name, value in zip(names, values.get(f"{node.name}_initial", [])):
+            for name, value in zip(names, values.get(f"{body.name}_initial", [])):
                 if isinstance(value, c_ast.NamedInitializer):
                     name, value = value.name[0].name, value.expr
                 if not expression(value).startswith(('"', "{")):
                     numbers[name] = expression(value)
-            found.types[node.name] = Struct(node.name, members, numbers)
+            found.types[body.name] = Struct(body.name, members, numbers)
         elif isinstance(node, c_ast.Typedef) and isinstance(node.type, c_ast.PtrDecl):
             found.types[node.name] = function_of(node.type.type)
         elif isinstance(node, c_ast.Decl) and isinstance(node.type, c_ast.Enum):
@@ -139,6 +141,8 @@ def read(headers: List[str], include: pathlib.Path, cc: str, before: Optional[In
             if name.startswith("RC_") and file not in others:
                 if re.fullmatch(r"-?\d+", body):
                     found.numbers[name] = int(body)
+                elif re.fullmatch(r"\(UINT64_C\(1\) << \d+\)|\d+u", body):
+                    found.bits[name] = 1 << int(body.split()[-1][:-1]) if "<<" in body else int(body[:-1])
                 elif body.startswith('"'):
                     found.strings[name] = body.strip('"')
     found.known.update(found.types)
@@ -156,9 +160,15 @@ def size_of(kind: Type, address: int, known: Dict[str, Union[Struct, Function]])
     return size * (kind.array or 1), min(size, address)
 
 
-def struct_size(struct: Struct, known: Dict[str, Union[Struct, Function]], address: int = 8) -> int:
-    end = 0
-    for _, kind in struct.members:
+def layout(struct: Struct, known: Dict[str, Union[Struct, Function]], address: int = 8) -> Tuple[int, Dict[str, int]]:
+    """(bytes, {member: offset})"""
+    end, offsets = 0, {}
+    for name, kind in struct.members:
         size, alignment = size_of(kind, address, known)
-        end = -(-end // alignment) * alignment + size
-    return -(-end // address) * address
+        offsets[name] = -(-end // alignment) * alignment
+        end = offsets[name] + size
+    return -(-end // address) * address, offsets
+
+
+def struct_size(struct: Struct, known: Dict[str, Union[Struct, Function]], address: int = 8) -> int:
+    return layout(struct, known, address)[0]

@@ -72,21 +72,26 @@ module roughcontact_structs
     real(c_double) :: kkt = 0, seconds = 0
   end type
 
-  type, bind(c) :: rc_history
-    integer(c_size_t) :: struct_size = merge(192, 112, c_intptr_t == 8)
-    integer(c_int32_t) :: control = 0, warm_start = 1
-    integer(c_int64_t) :: n = 0
-    type(c_ptr) :: targets = c_null_ptr, undeformed_gap = c_null_ptr  ! const double *
-    type(c_ptr) :: mask = c_null_ptr  ! const uint8_t *
+  type, bind(c) :: rc_columns
     ! double *
     type(c_ptr) :: load = c_null_ptr, approach = c_null_ptr, contact_area = c_null_ptr, mean_gap = c_null_ptr, &
       energy = c_null_ptr, stiffness = c_null_ptr, load_lower = c_null_ptr, load_upper = c_null_ptr, area_lower = c_null_ptr, &
       area_upper = c_null_ptr, stiffness_lower = c_null_ptr, stiffness_upper = c_null_ptr, certificate = c_null_ptr
-    type(c_ptr) :: products = c_null_ptr  ! int64_t *
+    type(c_ptr) :: iterations = c_null_ptr, products = c_null_ptr  ! int64_t *
+    type(c_ptr) :: status = c_null_ptr  ! rc_status *
+  end type
+
+  type, bind(c) :: rc_history
+    integer(c_size_t) :: struct_size = merge(208, 120, c_intptr_t == 8)
+    integer(c_int32_t) :: control = 0, warm_start = 1
+    integer(c_int64_t) :: n = 0
+    type(c_ptr) :: targets = c_null_ptr, undeformed_gap = c_null_ptr  ! const double *
+    type(c_ptr) :: mask = c_null_ptr  ! const uint8_t *
     type(c_funptr) :: fn = c_null_funptr  ! integer(c_int32_t) function fn(step, result, user) bind(c)
     type(c_ptr) :: user = c_null_ptr  ! void *
     integer(c_int64_t) :: completed = 0
     integer(c_int32_t) :: want_gap = 1, virgin = 0
+    type(rc_columns) :: columns = rc_columns()
   end type
 
   type, bind(c) :: rc_state
@@ -111,17 +116,13 @@ module roughcontact_structs
     type(c_ptr) :: mask = c_null_ptr  ! const uint8_t *
     integer(c_int64_t) :: mask_stride = 0
     type(c_ptr) :: p0 = c_null_ptr  ! const double *
-    ! double *
-    type(c_ptr) :: p = c_null_ptr, load = c_null_ptr, approach = c_null_ptr, contact_area = c_null_ptr, mean_gap = c_null_ptr, &
-      energy = c_null_ptr, stiffness = c_null_ptr, load_lower = c_null_ptr, load_upper = c_null_ptr, area_lower = c_null_ptr, &
-      area_upper = c_null_ptr, stiffness_lower = c_null_ptr, stiffness_upper = c_null_ptr, certificate = c_null_ptr
-    type(c_ptr) :: status = c_null_ptr  ! rc_status *
-    type(c_ptr) :: iterations = c_null_ptr, products = c_null_ptr  ! int64_t *
+    type(c_ptr) :: p = c_null_ptr  ! double *
     type(c_funptr) :: fn = c_null_funptr  ! integer(c_int32_t) function fn(contact, step, result, user) bind(c)
     type(c_ptr) :: user = c_null_ptr  ! void *
     integer(c_int64_t) :: written = 0, certified = 0, first = -1
     type(c_funptr) :: progress = c_null_funptr  ! integer(c_int32_t) function progress(ended, user) bind(c)
     integer(c_int32_t) :: virgin = 0, reserved = 0
+    type(rc_columns) :: columns = rc_columns()
   end type
 
   type, bind(c) :: rc_level

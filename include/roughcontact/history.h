@@ -14,16 +14,8 @@ extern "C" {
  *  nonzero to end the history. Must return: no exception, no longjmp. */
 typedef int32_t (*rc_history_fn)(int64_t step, const rc_result *result, void *user);
 
-/** A loading history: increasing, decreasing or mixed. Arrays of length n; output arrays may be NULL. */
-typedef struct rc_history {
-  size_t struct_size;
-  int32_t control;      /* RC_CONTROL_*                                                                              */
-  int32_t warm_start;   /* 1: each step starts from the pressures of the one before, projected onto the points
-                           that the new approach can reach (default); 0: each step starts cold                       */
-  int64_t n;            /* steps                                                                                     */
-  const double *targets; /* approaches [length] or loads [force]                                                     */
-  const double *undeformed_gap; /* as rc_step.undeformed_gap, for all steps                                          */
-  const uint8_t *mask;  /* as rc_step.mask                                                                           */
+/** Numbers of steps: of each that a caller wants, an array with one value a step. NULL: not wanted. */
+typedef struct rc_columns {
   double *load;         /* out [force]                                                                               */
   double *approach;     /* out [length]                                                                              */
   double *contact_area; /* out [length^2]                                                                            */
@@ -35,7 +27,21 @@ typedef struct rc_history {
   double *area_lower, *area_upper; /* out [length^2]                                                                 */
   double *stiffness_lower, *stiffness_upper; /* out [force/length]; if one is not NULL, option stiffness counts as 2 */
   double *certificate;  /* out, the largest kkt_* residual                                                           */
+  int64_t *iterations;  /* out, of the solver                                                                        */
   int64_t *products;    /* out, products with H                                                                      */
+  rc_status *status;    /* out                                                                                       */
+} rc_columns;
+
+/** A loading history: increasing, decreasing or mixed. Arrays of length n. */
+typedef struct rc_history {
+  size_t struct_size;
+  int32_t control;      /* RC_CONTROL_*                                                                              */
+  int32_t warm_start;   /* 1: each step starts from the pressures of the one before, projected onto the points
+                           that the new approach can reach (default); 0: each step starts cold                       */
+  int64_t n;            /* steps                                                                                     */
+  const double *targets; /* approaches [length] or loads [force]                                                     */
+  const double *undeformed_gap; /* as rc_step.undeformed_gap, for all steps                                          */
+  const uint8_t *mask;  /* as rc_step.mask                                                                           */
   rc_history_fn fn;     /* sees each completed step's result with pressures and gap; NULL: none                      */
   void *user;           /* handed to fn                                                                              */
   int64_t completed;    /* out: steps whose outputs are written; certified, or within goal                           */
@@ -44,6 +50,7 @@ typedef struct rc_history {
   int32_t virgin;       /* 0: with a hardness, each step presses the surface as the steps before it left it (default); 1: each
                            presses the surface as it is before the first step, and the history leaves no indentation:
                            rc_contact_indentation gives afterwards what it gave before. Without a hardness: no effect */
+  rc_columns columns;   /* out: numbers of each completed step                                                       */
 } rc_history;
 #define RC_HISTORY_INIT RC_BEGIN_WITH_TWO(rc_history, warm_start = 1, want_gap = 1)
 
@@ -98,7 +105,7 @@ typedef int32_t (*rc_batch_progress_fn)(int64_t ended, void *user);
 enum { RC_BATCH_SHARED = -1 }; /* as a stride: one array for all contacts                                            */
 
 /** The loading histories of many contacts on one system: surfaces of a Monte Carlo study, Gauss points of a finite element
- *  code. Values of step k of contact i are at index i*steps + k; output arrays may be NULL. */
+ *  code. */
 typedef struct rc_batch {
   size_t struct_size;
   int32_t control;      /* RC_CONTROL_*                                                                              */
@@ -114,19 +121,6 @@ typedef struct rc_batch {
   const double *p0;     /* [n*nx*ny] as rc_step.p0, for the first step of each contact; may be p; NULL: none         */
   double *p;            /* out [n*nx*ny] pressures of a contact's last step with status >= 0 [force/length^2];
                            untouched for a contact that has none                                                     */
-  double *load;         /* out [force]; this and the numbers below: NaN (counts: -1) for a step with status < 0
-                           and those that were not reached                                                           */
-  double *approach;     /* out [length]                                                                              */
-  double *contact_area; /* out [length^2]                                                                            */
-  double *mean_gap, *energy; /* out, as in rc_history [length], [force length]                                       */
-  double *stiffness;    /* out, dW/dd [force/length]; if not NULL it is computed, whatever option stiffness is       */
-  double *load_lower, *load_upper, *area_lower, *area_upper, *stiffness_lower, *stiffness_upper; /* out, as in rc_history */
-  double *certificate;  /* out, the largest kkt_* residual                                                           */
-  rc_status *status;    /* out; the first step that is neither RC_OK nor RC_WITHIN_GOAL ends its contact, and the
-                           steps after it have its status. RC_STOP_CANCELLED or RC_STOP_TIME also where the
-                           batch ended before the step                                                               */
-  int64_t *iterations;  /* out, of the solver                                                                        */
-  int64_t *products;     /* out, products with H                                                                     */
   rc_batch_fn fn;       /* sees each step's result with pressures and gap; NULL: none                                */
   void *user;           /* handed to fn and progress                                                                 */
   int64_t written;      /* out: contacts whose outputs are written: n, or 0 if the call itself was refused           */
@@ -135,12 +129,16 @@ typedef struct rc_batch {
   rc_batch_progress_fn progress; /* sees how far the batch is; NULL: none                                            */
   int32_t virgin;       /* as in rc_history; each contact begins without indentation in any case                     */
   int32_t reserved;     /* 0                                                                                         */
+  rc_columns columns;   /* out: numbers of step k of contact i at index i*steps + k; NaN (counts: -1) for a step with status
+                           < 0 and those that were not reached. The first step that is neither RC_OK nor RC_WITHIN_GOAL ends
+                           its contact, and the steps after it have its status. RC_STOP_CANCELLED or RC_STOP_TIME also if
+                           the batch ended before the step                                                           */
 } rc_batch;
 #define RC_BATCH_INIT RC_BEGIN_WITH_TWO(rc_batch, warm_start = 1, first = -1)
 
 /** Solves the history of every contact, each as by an rc_contact of its own and rc_contact_solve_history: the same bits, whatever
  *  the number of threads. A solver that takes many contacts at once ("haar-cuda") gives other bits than contacts of their own,
- *  with the same certificate; they do not depend on the number of threads and contacts either. It is used if fn and the outputs
+ *  with the same certificate; they do not depend on the number of threads and contacts either. It is used if fn and the columns
  *  from mean_gap to stiffness_upper are NULL and virgin is 0.
  *  Option threads: contacts that are solved at the same time, each by one thread; fewer if the system refuses threads.
  *  Option time_limit: seconds for the whole batch. options may be NULL. A CALLBACK system's apply is called from several threads

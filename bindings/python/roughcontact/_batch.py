@@ -118,8 +118,9 @@ def batch(
     statuses = np.full((n, steps), int(Status.STOP_CANCELLED), np.int32)
     pressures = np.zeros((n, *system.shape)) if keep_pressure else None
 
-    struct = given(rc_batch(), control=what.control, warm_start=as_switch(warm_start), virgin=as_switch(virgin), n=n, steps=steps, **out, **whole)
-    given(struct, targets=targets, undeformed_gap=gaps, mask=masks, p0=starts, p=pressures, status=statuses)
+    struct = given(rc_batch(), control=what.control, warm_start=as_switch(warm_start), virgin=as_switch(virgin), n=n, steps=steps)
+    given(struct, targets=targets, undeformed_gap=gaps, mask=masks, p0=starts, p=pressures)
+    given(struct.columns, status=statuses, **out, **whole)
     for name, array, own in (("target", targets, 2), ("undeformed_gap", gaps, axes + 1), ("mask", masks, axes + 1)):
         setattr(struct, f"{name}_stride", _constants.RC_BATCH_SHARED if array is not None and array.ndim < own else 0)
 

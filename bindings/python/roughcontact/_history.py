@@ -44,7 +44,8 @@ def history_on(
     results: List[Result] = []
 
     struct = given(rc_history(), control=what.control, warm_start=as_switch(warm_start), n=n, targets=targets)
-    given(struct, undeformed_gap=undeformed_gap, mask=mask, virgin=as_switch(virgin), stiffness=tangents)
+    given(struct, undeformed_gap=undeformed_gap, mask=mask, virgin=as_switch(virgin))
+    given(struct.columns, stiffness=tangents)
     given(struct, want_gap=int(want_gap or each is not None))
 
     def after(step: int, answer: Any, _: Any) -> object:

@@ -60,11 +60,15 @@ rc_history_fn = callback(int32_t, int64_t, rc_result, handle)
 
 
 @struct
+class rc_columns(Sized):
+    members = """doubles load approach contact_area mean_gap energy stiffness load_lower load_upper area_lower area_upper;
+    doubles stiffness_lower stiffness_upper certificate; integers iterations products; statuses status"""
+
+
+@struct
 class rc_history(Sized):
     members = """size_t struct_size; int32_t control warm_start=1; int64_t n; doubles targets undeformed_gap; bytes_ mask;
-    doubles load approach contact_area mean_gap energy stiffness load_lower load_upper area_lower area_upper;
-    doubles stiffness_lower stiffness_upper certificate; integers products; rc_history_fn fn; handle user;
-    int64_t completed; int32_t want_gap=1 virgin"""
+    rc_history_fn fn; handle user; int64_t completed; int32_t want_gap=1 virgin; rc_columns columns"""
 
 
 @struct
@@ -82,11 +86,9 @@ rc_batch_progress_fn = callback(int32_t, int64_t, handle)
 @struct
 class rc_batch(Sized):
     members = """size_t struct_size; int32_t control warm_start=1; int64_t n steps; doubles targets; int64_t target_stride;
-    doubles undeformed_gap; int64_t undeformed_gap_stride; bytes_ mask; int64_t mask_stride;
-    doubles p0 p load approach contact_area mean_gap energy stiffness load_lower load_upper area_lower;
-    doubles area_upper stiffness_lower stiffness_upper certificate; statuses status;
-    integers iterations products; rc_batch_fn fn; handle user; int64_t written certified first=-1;
-    rc_batch_progress_fn progress; int32_t virgin reserved"""
+    doubles undeformed_gap; int64_t undeformed_gap_stride; bytes_ mask; int64_t mask_stride; doubles p0 p;
+    rc_batch_fn fn; handle user; int64_t written certified first=-1; rc_batch_progress_fn progress;
+    int32_t virgin reserved; rc_columns columns"""
 
 
 @struct

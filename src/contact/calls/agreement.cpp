@@ -53,15 +53,15 @@ std::vector<Fact> facts_of(const rc_history& path) {
                           {"rc_history.fn", path.fn ? "given" : "none"},
                           {"rc_history.want_gap", join(path.want_gap)},
                           {"rc_history.virgin", join(path.virgin)}};
-  for (const auto& [name, output] : {std::pair{"mean_gap", path.mean_gap},
-                                     {"stiffness", path.stiffness},
-                                     {"load_lower", path.load_lower},
-                                     {"load_upper", path.load_upper},
-                                     {"area_lower", path.area_lower},
-                                     {"area_upper", path.area_upper},
-                                     {"stiffness_lower", path.stiffness_lower},
-                                     {"stiffness_upper", path.stiffness_upper}})
-    facts.push_back({join("rc_history.", name), output ? "given" : "none"});
+  for (const auto& [name, output] : {std::pair{"mean_gap", path.columns.mean_gap},
+                                     {"stiffness", path.columns.stiffness},
+                                     {"load_lower", path.columns.load_lower},
+                                     {"load_upper", path.columns.load_upper},
+                                     {"area_lower", path.columns.area_lower},
+                                     {"area_upper", path.columns.area_upper},
+                                     {"stiffness_lower", path.columns.stiffness_lower},
+                                     {"stiffness_upper", path.columns.stiffness_upper}})
+    facts.push_back({join("rc_history.columns.", name), output ? "given" : "none"});
   for (std::int64_t i = 0; path.targets && i < path.n; ++i)
     facts.push_back({join("rc_history.targets[", i, "]"), exact(path.targets[i])});
   return facts;

@@ -75,21 +75,11 @@ struct Request {
   double* pressures(std::int64_t i) const { return given.p ? given.p + i * points : nullptr; }
 
   void write(std::int64_t i, std::int64_t k, const Numbers& numbers, const System& system) const {
-    const std::int64_t at = i * given.steps + k;
-    put_numbers(given, at, numbers, system);
-    put(given.status, at, numbers.status);
-    put(given.iterations, at, numbers.work.iterations);
+    put_numbers(given.columns, i * given.steps + k, numbers, system);
   }
   // Steps from `k` on have no answer.
   void write_none(std::int64_t i, std::int64_t k, rc_status status) const {
-    for (std::int64_t at = i * given.steps + k; at < (i + 1) * given.steps; ++at) {
-      for (double* const values : {given.load, given.approach, given.contact_area, given.mean_gap, given.energy, given.stiffness,
-                                   given.load_lower, given.load_upper, given.area_lower, given.area_upper, given.stiffness_lower,
-                                   given.stiffness_upper, given.certificate})
-        put(values, at, nan);
-      put(given.status, at, status);
-      for (std::int64_t* const counts : {given.iterations, given.products}) put(counts, at, std::int64_t{-1});
-    }
+    for (std::int64_t at = i * given.steps + k; at < (i + 1) * given.steps; ++at) put_none(given.columns, at, status);
   }
 };
 
@@ -203,7 +193,7 @@ class Worker {
     contact_->ask({options.integer(RC_OPT_STIFFNESS), options.integer(RC_OPT_BOUNDS), request.given.virgin == 0});
     const auto points = static_cast<std::size_t>(request_.points);
     if (request_.given.fn) p_.resize(points);
-    if (request_.given.fn || request_.given.mean_gap) gap_.resize(points);
+    if (request_.given.fn || request_.given.columns.mean_gap) gap_.resize(points);
   }
 
   void work() {
@@ -361,11 +351,9 @@ BatchOutcome solve_batch(const rc_system& system, const rc_options& options, con
   rc_options each = options;
   each.set(RC_OPT_THREADS, std::int64_t{1});
   each.set(RC_OPT_TIME_LIMIT, 0.0);
-  const bool stiffness_interval = batch.stiffness_lower || batch.stiffness_upper;
-  const std::int64_t stiffness = stiffness_interval ? 2 : batch.stiffness ? 1 : 0;
-  each.set(RC_OPT_STIFFNESS, std::max(stiffness, options.integer(RC_OPT_STIFFNESS)));
-  const bool intervals = stiffness_interval || batch.load_lower || batch.load_upper || batch.area_lower || batch.area_upper;
-  if (intervals || !batch.fn) each.set(RC_OPT_BOUNDS, std::int64_t{intervals});  // else no output shows them
+  const ColumnWants wants = wants_of(batch.columns);
+  each.set(RC_OPT_STIFFNESS, std::max(wants.stiffness, options.integer(RC_OPT_STIFFNESS)));
+  if (wants.bounds != 0 || !batch.fn) each.set(RC_OPT_BOUNDS, wants.bounds);  // else no output shows them
 
   const auto contact = [&] { return std::make_unique<Contact>(system, each); };
   std::unique_ptr<Contact> first = contact();  // checks the system and the options

@@ -49,7 +49,8 @@ std::int32_t shown(const rc_history& history, std::int64_t i, const rc_result& r
 class Asking {
  public:
   Asking(Contact& contact, const HistoryWants& wants) : contact_(contact), before_(asked(contact.problem())) {
-    contact.ask({std::max(before_.stiffness, wants.stiffness), std::max(before_.bounds, wants.bounds), !wants.virgin});
+    contact.ask(
+        {std::max(before_.stiffness, wants.columns.stiffness), std::max(before_.bounds, wants.columns.bounds), !wants.virgin});
   }
   ~Asking() { contact_.ask(before_); }
   Asking(const Asking&) = delete;
@@ -67,13 +68,11 @@ class Asking {
 }  // namespace
 
 HistoryWants wants_of(const rc_history& history) {
-  const bool stiffness_interval = history.stiffness_lower || history.stiffness_upper;
   HistoryWants wants;
   wants.virgin = history.virgin != 0;
   wants.shown_gap = history.fn && history.want_gap != 0;
-  wants.gap = wants.shown_gap || history.mean_gap;
-  wants.stiffness = stiffness_interval ? 2 : history.stiffness ? 1 : 0;
-  wants.bounds = stiffness_interval || history.load_lower || history.load_upper || history.area_lower || history.area_upper;
+  wants.gap = wants.shown_gap || history.columns.mean_gap;
+  wants.columns = wants_of(history.columns);
   return wants;
 }
 
@@ -109,7 +108,7 @@ rc_status solve_history(Contact& contact, const rc_history& history, const Histo
       set_message(where(history, i).c_str(), last_message()[0] != '\0' ? last_message() : rc_status_text(status));
       return status;
     }
-    put_numbers(history, i, numbers, contact.problem().system);
+    put_numbers(history.columns, i, numbers, contact.problem().system);
     completed = i + 1;
     if (!history.fn) continue;
     rc_result result = result_with({outputs.p, wants.shown_gap ? outputs.gap : OutputArray()});

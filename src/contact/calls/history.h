@@ -4,14 +4,15 @@
 #include <cstdint>
 
 #include "contact/calls/contact.h"
+#include "contact/calls/step_outputs.h"
 
 namespace rc {
 
 // Outputs that a history wants of every step. All ranks have the same.
 struct HistoryWants {
   bool virgin = false;
-  bool shown_gap = false, gap = false;     // the caller's function gets it; it is computed at all points
-  std::int64_t stiffness = 0, bounds = 0;  // the least values of these options
+  bool shown_gap = false, gap = false;  // the caller's function gets it; it is computed at all points
+  ColumnWants columns{};
 };
 HistoryWants wants_of(const rc_history& history);
 

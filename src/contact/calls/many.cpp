@@ -20,9 +20,9 @@ constexpr std::int64_t least_together = std::int64_t{1} << 22, most_together = s
 // Whether the call wants outputs that rc_many_answer does not have.
 bool asks_for_more(const GridProblem& problem, const rc_batch& batch) {
   const rc_options& options = problem.options;
-  return batch.virgin != 0 || batch.fn || batch.mean_gap || batch.energy || options.integer(RC_OPT_STIFFNESS) != 0 ||
-         options.integer(RC_OPT_BOUNDS) != 0 || problem.goal.error > 0 || !options.text(RC_OPT_CERTIFY_BACKEND).empty() ||
-         options.text(RC_OPT_WARMUP) != "none";
+  return batch.virgin != 0 || batch.fn || batch.columns.mean_gap || batch.columns.energy ||
+         options.integer(RC_OPT_STIFFNESS) != 0 || options.integer(RC_OPT_BOUNDS) != 0 || problem.goal.error > 0 ||
+         !options.text(RC_OPT_CERTIFY_BACKEND).empty() || options.text(RC_OPT_WARMUP) != "none";
 }
 
 }  // namespace

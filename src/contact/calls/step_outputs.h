@@ -1,7 +1,10 @@
-// The arrays of numbers that histories and batches have in common: value i is the number of one step.
+// Columns of numbers: value i is the number of one step.
 #pragma once
 
+#include <roughcontact/history.h>
+
 #include <cstdint>
+#include <limits>
 
 #include "contact/proof/result.h"
 
@@ -12,8 +15,7 @@ template <class Number> void put(Number* to, std::int64_t i, Number value) {
   if (to) to[i] = value;
 }
 
-// Outputs: rc_history or rc_batch.
-template <class Outputs> void put_numbers(const Outputs& to, std::int64_t i, const Numbers& numbers, const System& system) {
+inline void put_numbers(const rc_columns& to, std::int64_t i, const Numbers& numbers, const System& system) {
   put(to.load, i, numbers.load(system));
   put(to.approach, i, numbers.approach);
   put(to.contact_area, i, contact_area(numbers, system));
@@ -27,7 +29,31 @@ template <class Outputs> void put_numbers(const Outputs& to, std::int64_t i, con
   put(to.stiffness_lower, i, numbers.stiffness.lower);
   put(to.stiffness_upper, i, numbers.stiffness.upper);
   put(to.certificate, i, numbers.certificate.worst());
+  put(to.iterations, i, numbers.work.iterations);
   put(to.products, i, numbers.work.products);
+  put(to.status, i, numbers.status);
+}
+
+// A step without an answer.
+inline void put_none(const rc_columns& to, std::int64_t i, rc_status status) {
+  for (double* const values :
+       {to.load, to.approach, to.contact_area, to.mean_gap, to.energy, to.stiffness, to.load_lower, to.load_upper, to.area_lower,
+        to.area_upper, to.stiffness_lower, to.stiffness_upper, to.certificate})
+    put(values, i, std::numeric_limits<double>::quiet_NaN());
+  for (std::int64_t* const counts : {to.iterations, to.products}) put(counts, i, std::int64_t{-1});
+  put(to.status, i, status);
+}
+
+// The least values of options stiffness and bounds with which steps have these columns.
+struct ColumnWants {
+  std::int64_t stiffness, bounds;
+};
+inline ColumnWants wants_of(const rc_columns& columns) {
+  const bool stiffness_interval = columns.stiffness_lower || columns.stiffness_upper;
+  return {stiffness_interval  ? 2
+          : columns.stiffness ? 1
+                              : 0,
+          stiffness_interval || columns.load_lower || columns.load_upper || columns.area_lower || columns.area_upper};
 }
 
 }  // namespace rc

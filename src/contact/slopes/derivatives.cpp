@@ -216,6 +216,35 @@ double without_mean(double mean, const Solution& x, const Solution& flat) {
   return mean == 0 ? 0 : mean * x.sum / (1 - mean * flat.sum);
 }
 
+// The change of the pressures on the contact set, where x solves A x = b: x + part flat has the sum that the load prescribes, or
+// is free of the mean.
+struct Change {
+  Field p;
+  double error = 0;  // of p, Euclidean; NaN: not known
+  double sum = 0, flat_sum = 0, mean = 0, part = 0;
+};
+
+// uniform: all values of b are the same. sum: of the change, in load control.
+rc_status change(Linearised& step, const Field& b, bool uniform, double sum, Change& out) {
+  const std::size_t n = step.set().n();
+  Solution x, flat;
+  if (n > 0 && (uniform || step.by_load() || step.system().periodic()))
+    if (const rc_status status = step.solve(Field(n, 1.0), flat); status != RC_OK) return status;
+  if (uniform && n > 0) {
+    x = {flat.x, flat.sum * b[0], flat.residual * std::abs(b[0])};
+    for (double& value : x.x) value *= b[0];
+  } else if (n > 0) {
+    if (const rc_status status = step.solve(b, x); status != RC_OK) return status;
+  }
+  const SolutionErrors errors = step.errors();
+  const double mean = step.mean(), part = step.by_load() ? (sum - x.sum) / flat.sum : without_mean(mean, x, flat);
+  const double doubt_of_sum = errors.of_sum(x, flat) + std::abs(part) * errors.of_sum(flat, flat);
+  const double doubt = step.by_load() ? doubt_of_sum / flat.sum : mean != 0 ? mean / (1 - mean * flat.sum) * doubt_of_sum : 0;
+  out = {x.x, part == 0 ? errors.of(x) : errors.of(x, part, doubt, flat), x.sum, flat.sum, mean, part};
+  for (std::size_t k = 0; k < n && part != 0; ++k) out.p[k] += part * flat.x[k];
+  return RC_OK;
+}
+
 }  // namespace
 
 rc_status differentiate(const GridProblem& problem, const Memory& memory, const Monitor& monitor, rc_gradient& request) {
@@ -243,39 +272,18 @@ rc_status differentiate(const GridProblem& problem, const Memory& memory, const 
     b[k] = by_p / step.unit() + product[set.among_loaded(k)];
   }
   const bool uniform = !request.dJ_dp && !request.dJ_dgap;
-  Solution lambda, flat;
-  if (set.n() > 0 && (uniform || step.by_load() || system.periodic()))
-    if (const rc_status status = step.solve(Field(set.n(), 1.0), flat); status != RC_OK) return status;
-  if (uniform && set.n() > 0) {
-    const double factor = b[0];
-    lambda = {flat.x, flat.sum * factor, flat.residual * std::abs(factor)};
-    for (double& value : lambda.x) value *= factor;
-  } else if (set.n() > 0) {
-    if (const rc_status status = step.solve(b, lambda); status != RC_OK) return status;
-  }
-
-  const SolutionErrors errors = step.errors();
-  const double mean = step.mean(), share = 1 - mean * flat.sum;
-  double part = 0, doubt = 0;  // w = lambda + part flat
-  if (step.by_load()) {
-    part = -(lambda.sum + direct) / flat.sum;
-    request.dJ_dtarget = (lambda.sum + direct * share) * step.unit() / (area * flat.sum);
-    doubt = (errors.of_sum(lambda, flat) + std::abs(part) * errors.of_sum(flat, flat)) / flat.sum;
-  } else {
-    part = without_mean(mean, lambda, flat);
-    request.dJ_dtarget = lambda.sum + part * flat.sum + direct;
-    if (mean != 0) doubt = mean / share * (errors.of_sum(lambda, flat) + std::abs(part) * errors.of_sum(flat, flat));
-  }
-  request.error = part == 0 ? errors.of(lambda) : errors.of(lambda, part, doubt, flat);
-  Field w = lambda.x;
-  for (std::size_t k = 0; k < w.size() && part != 0; ++k) w[k] += part * flat.x[k];
+  Change w;
+  if (const rc_status status = change(step, b, uniform, -direct, w); status != RC_OK) return status;
+  request.dJ_dtarget = step.by_load() ? (w.sum + direct * (1 - w.mean * w.flat_sum)) * step.unit() / (area * w.flat_sum)
+                                      : w.sum + w.part * w.flat_sum + direct;
+  request.error = w.error;
   request.dJ_dmodulus =
-      system.halfspace() ? (dot(w, set.u()) - step.unit() * dot(product, set.loaded().p)) / system.given.modulus : unknown;
+      system.halfspace() ? (dot(w.p, set.u()) - step.unit() * dot(product, set.loaded().p)) / system.given.modulus : unknown;
   request.undecided = step.undecided();
   request.products = step.products();
   if (double* const out = request.dJ_dundeformed_gap) {
     for (std::size_t i = 0; i < all; ++i) out[i] = by_gap(i);
-    for (std::size_t k = 0; k < w.size(); ++k) out[set.point(k)] -= w[k];
+    for (std::size_t k = 0; k < w.p.size(); ++k) out[set.point(k)] -= w.p[k];
   }
   return step.status();
 }
@@ -294,30 +302,14 @@ rc_status differentiate(const GridProblem& problem, const Memory& memory, const 
   const auto dh = [&](std::size_t i) { return request.dundeformed_gap && step.included(i) ? request.dundeformed_gap[i] : 0; };
   double dd = step.by_load() ? 0 : request.dtarget;
 
-  // A x = r; dp = x + part flat.
   const bool uniform = !request.dundeformed_gap && softer == 0;
   Field r(set.n());
   for (std::size_t k = 0; k < r.size(); ++k) r[k] = (dd - dh(set.point(k)) + softer * set.u()[k]) / step.unit();
-  Solution x{Field(set.n()), 0, 0}, flat{Field(set.n()), 0, 0};
-  if (set.n() > 0 && (uniform || step.by_load() || system.periodic()))
-    if (const rc_status status = step.solve(Field(set.n(), 1.0), flat); status != RC_OK) return status;
-  if (!uniform && set.n() > 0)
-    if (const rc_status status = step.solve(r, x); status != RC_OK) return status;
-  const SolutionErrors errors = step.errors();
-  const double mean = step.mean(), share = 1 - mean * flat.sum;
-  double part = 0, doubt = 0;
-  if (step.by_load()) {
-    const double force = request.dtarget / area;
-    part = (force - x.sum) / flat.sum;
-    dd = step.unit() * (part - mean * force);
-    doubt = (errors.of_sum(x, flat) + std::abs(part) * errors.of_sum(flat, flat)) / flat.sum;
-  } else {
-    part = uniform ? (set.n() > 0 ? r[0] / share : 0) : without_mean(mean, x, flat);
-    if (mean != 0) doubt = mean / share * (errors.of_sum(x, flat) + std::abs(part) * errors.of_sum(flat, flat));
-  }
-  const double error = part == 0 ? errors.of(x) : errors.of(x, part, doubt, flat);
-  Field dp = x.x;
-  for (std::size_t k = 0; k < dp.size(); ++k) dp[k] += part * flat.x[k];
+  const double force = request.dtarget / area;
+  Change changed;
+  if (const rc_status status = change(step, r, uniform, force, changed); status != RC_OK) return status;
+  if (step.by_load()) dd = step.unit() * (changed.part - changed.mean * force);
+  const Field& dp = changed.p;
 
   const std::size_t all = static_cast<std::size_t>(system.points());
   if (request.dgap) {
@@ -335,7 +327,7 @@ rc_status differentiate(const GridProblem& problem, const Memory& memory, const 
   }
   request.dload = step.by_load() ? request.dtarget : total(dp) * area;
   request.dapproach = dd;
-  request.error = error;
+  request.error = changed.error;
   request.undecided = step.undecided();
   request.products = step.products();
   return step.status();

@@ -240,7 +240,7 @@ void histories_go_on_within_their_goal() {
   path.n = 3;
   path.targets = targets.data();
   path.undeformed_gap = problem.gap.data();
-  path.load = load.data();
+  path.columns.load = load.data();
   struct Seen {
     rc_contact* contact;
     int known = 0;
@@ -287,8 +287,8 @@ void batches_go_on_within_their_goal() {
   batch.steps = 1;
   batch.undeformed_gap = gaps.data();
   batch.targets = targets.data();
-  batch.load = load.data();
-  batch.status = status.data();
+  batch.columns.load = load.data();
+  batch.columns.status = status.data();
   check_equal(rc_batch_solve(&problem.system, options.get(), &batch), RC_WITHIN_GOAL, "status of the batch");
   check_equal(status[0], RC_WITHIN_GOAL, "status of a contact");
   check_equal(status[2], RC_OK, "status of the contact that does not touch");

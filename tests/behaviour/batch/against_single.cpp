@@ -29,7 +29,7 @@ Field certificates(const Problem& problem, const Study& study, const Field& targ
   path.targets = targets.data();
   path.undeformed_gap = problem.gap.data();
   path.mask = problem.mask.empty() ? nullptr : problem.mask.data();
-  path.certificate = found.data();
+  path.columns.certificate = found.data();
   check(rc_contact_solve_history(contact.handle(), &path) == RC_OK, rc_last_error());
   return found;
 }
@@ -193,9 +193,8 @@ void outputs_may_be_null() {
   const Study study = rough_study(3, 2);
   check_outcome(study.solve(2,
                             [](rc_batch& b) {
-                              b.p = b.load = b.approach = b.contact_area = b.certificate = nullptr;
-                              b.status = nullptr;
-                              b.iterations = b.products = nullptr;
+                              b.p = nullptr;
+                              b.columns = {};
                             }),
                 RC_OK, 3, 3, -1);
 }

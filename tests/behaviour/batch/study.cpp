@@ -52,14 +52,14 @@ Outcome Study::solve(int threads, const std::function<void(rc_batch&)>& change) 
   b.mask = masks.empty() ? nullptr : masks.data();
   b.p0 = p0.empty() ? nullptr : p0.data();
   b.p = outcome.p.data();
-  b.load = outcome.load.data();
-  b.approach = outcome.approach.data();
-  b.contact_area = outcome.contact_area.data();
-  b.stiffness = with_stiffness ? outcome.stiffness.data() : nullptr;
-  b.certificate = outcome.certificate.data();
-  b.status = outcome.statuses.data();
-  b.iterations = outcome.iterations.data();
-  b.products = outcome.products.data();
+  b.columns.load = outcome.load.data();
+  b.columns.approach = outcome.approach.data();
+  b.columns.contact_area = outcome.contact_area.data();
+  b.columns.stiffness = with_stiffness ? outcome.stiffness.data() : nullptr;
+  b.columns.certificate = outcome.certificate.data();
+  b.columns.status = outcome.statuses.data();
+  b.columns.iterations = outcome.iterations.data();
+  b.columns.products = outcome.products.data();
   if (ends) {
     b.fn = see;
     b.user = const_cast<Study*>(this);

@@ -189,7 +189,7 @@ void contacts_of_a_batch_fail_by_themselves(void**) {
   batch.target_stride = RC_BATCH_SHARED;
   batch.undeformed_gap = gaps.data();
   batch.p = p.data();
-  batch.status = status.data();
+  batch.columns.status = status.data();
   batch.fn = [](std::int64_t, std::int64_t, const rc_result*, void*) { return std::int32_t{0}; };  // one at a time
   const rc_system system = grid_of(side);
   host_faults() = {.fault = Fault::once, .at = calls_of_a_solve() + 40};  // in the second contact

@@ -140,7 +140,7 @@ void check_batch(const Problem& problem, const rc_history& path, const Field& lo
   batch.targets = path.targets;
   batch.target_stride = batch.undeformed_gap_stride = RC_BATCH_SHARED;
   batch.undeformed_gap = problem.gap.data();
-  batch.load = of_batch.data();
+  batch.columns.load = of_batch.data();
   const Options options = make_options(pair, problem.kernel);
   check(rc_batch_solve(&problem.system, options.get(), &batch) == RC_OK, rc_last_error());
   for (std::size_t i = 0; i < of_batch.size(); ++i)
@@ -164,7 +164,7 @@ void a_path_is_its_steps() {
   path.n = static_cast<std::int64_t>(targets.size());
   path.targets = targets.data();
   path.undeformed_gap = problem.gap.data();
-  path.load = loads.data();
+  path.columns.load = loads.data();
   check(rc_contact_solve_history(whole.handle(), &path) == RC_OK, rc_last_error());
   check_same(loads, expected, "loads");
   check_same(indentation_of(whole, problem.points()), indentation_of(single, problem.points()), "indentation");
@@ -183,7 +183,7 @@ void a_virgin_history_presses_the_first_surface() {
     path.n = static_cast<std::int64_t>(targets.size());
     path.targets = targets.data();
     path.undeformed_gap = problem.gap.data();
-    path.load = loads.data();
+    path.columns.load = loads.data();
     path.virgin = 1;
     const auto expected = [&](double target, const Field& left) {
       Problem alone = problem;

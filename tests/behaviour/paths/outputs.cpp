@@ -17,24 +17,22 @@ using namespace pairs;
 
 struct Output {
   const char* name;
-  double* rc_history::*of_history;
-  double* rc_batch::*of_batch;
+  double* rc_columns::*column;
   double rc_result::*of_result;
 };
 
-const Output outputs[] = {
-    {"load", &rc_history::load, &rc_batch::load, &rc_result::load},
-    {"approach", &rc_history::approach, &rc_batch::approach, &rc_result::approach},
-    {"contact_area", &rc_history::contact_area, &rc_batch::contact_area, &rc_result::contact_area},
-    {"mean_gap", &rc_history::mean_gap, &rc_batch::mean_gap, &rc_result::mean_gap},
-    {"energy", &rc_history::energy, &rc_batch::energy, &rc_result::energy},
-    {"stiffness", &rc_history::stiffness, &rc_batch::stiffness, &rc_result::stiffness},
-    {"load_lower", &rc_history::load_lower, &rc_batch::load_lower, &rc_result::load_lower},
-    {"load_upper", &rc_history::load_upper, &rc_batch::load_upper, &rc_result::load_upper},
-    {"area_lower", &rc_history::area_lower, &rc_batch::area_lower, &rc_result::area_lower},
-    {"area_upper", &rc_history::area_upper, &rc_batch::area_upper, &rc_result::area_upper},
-    {"stiffness_lower", &rc_history::stiffness_lower, &rc_batch::stiffness_lower, &rc_result::stiffness_lower},
-    {"stiffness_upper", &rc_history::stiffness_upper, &rc_batch::stiffness_upper, &rc_result::stiffness_upper}};
+const Output outputs[] = {{"load", &rc_columns::load, &rc_result::load},
+                          {"approach", &rc_columns::approach, &rc_result::approach},
+                          {"contact_area", &rc_columns::contact_area, &rc_result::contact_area},
+                          {"mean_gap", &rc_columns::mean_gap, &rc_result::mean_gap},
+                          {"energy", &rc_columns::energy, &rc_result::energy},
+                          {"stiffness", &rc_columns::stiffness, &rc_result::stiffness},
+                          {"load_lower", &rc_columns::load_lower, &rc_result::load_lower},
+                          {"load_upper", &rc_columns::load_upper, &rc_result::load_upper},
+                          {"area_lower", &rc_columns::area_lower, &rc_result::area_lower},
+                          {"area_upper", &rc_columns::area_upper, &rc_result::area_upper},
+                          {"stiffness_lower", &rc_columns::stiffness_lower, &rc_result::stiffness_lower},
+                          {"stiffness_upper", &rc_columns::stiffness_upper, &rc_result::stiffness_upper}};
 
 constexpr double shares[] = {0.3, 0.7, 1};
 
@@ -98,13 +96,13 @@ void outputs_are_those_of_the_results(std::int32_t boundary, const Pair& pair) {
     rc_batch batch = batch_of(problem, targets, 3);
     for (std::size_t k = 0; k < std::size(outputs); ++k) {
       found[k].resize(targets.size());
-      history.*outputs[k].of_history = found[k].data();
+      history.columns.*outputs[k].column = found[k].data();
     }
     check(rc_contact_solve_history(contact.handle(), &history) == RC_OK, rc_last_error());
     for (std::size_t k = 0; k < std::size(outputs); ++k) {
       check_output(outputs[k], found[k], expected);
       found[k].assign(3 * targets.size(), -7);
-      batch.*outputs[k].of_batch = found[k].data();
+      batch.columns.*outputs[k].column = found[k].data();
     }
     const Answer after = contact.solve(problem);
     check(std::isnan(after.result.stiffness), "option stiffness after the history");
@@ -123,8 +121,8 @@ void each_output_comes_by_itself() {
     Field found(targets.size()), of_batch(2 * targets.size());
     rc_history history = history_of(problem, targets);
     rc_batch batch = batch_of(problem, targets, 2);
-    history.*output.of_history = found.data();
-    batch.*output.of_batch = of_batch.data();
+    history.columns.*output.column = found.data();
+    batch.columns.*output.column = of_batch.data();
     check(rc_contact_solve_history(Contact(problem, automatic, {{RC_OPT_BOUNDS, "0"}}).handle(), &history) == RC_OK,
           rc_last_error());
     check_output(output, found, expected);
@@ -141,7 +139,7 @@ void a_step_without_an_answer_has_no_numbers() {
   Field found[std::size(outputs)];
   for (std::size_t k = 0; k < std::size(outputs); ++k) {
     found[k].assign(2, -7);
-    batch.*outputs[k].of_batch = found[k].data();
+    batch.columns.*outputs[k].column = found[k].data();
   }
   check_equal(rc_batch_solve(&problem.system, nullptr, &batch), RC_ERR_ARGUMENT, "status");
   for (std::size_t k = 0; k < std::size(outputs); ++k)
@@ -184,7 +182,7 @@ void fn_may_ask_for_its_points(const Settings& settings) {
   history.fn = watch_points;
   history.user = &watched;
   history.want_gap = 0;
-  history.mean_gap = mean_gap.data();
+  history.columns.mean_gap = mean_gap.data();
   check(rc_contact_solve_history(contact.handle(), &history) >= 0, rc_last_error());
   check_equal(history.completed, history.n, "completed steps");
   check(watched.wrong.empty(), watched.wrong);
@@ -201,8 +199,8 @@ void a_periodic_approach_is_the_change_of_the_mean_gap() {
       const Field targets = targets_of(problem);
       Field mean_gap(targets.size()), approach(targets.size());
       rc_history history = history_of(problem, targets);
-      history.mean_gap = mean_gap.data();
-      history.approach = approach.data();
+      history.columns.mean_gap = mean_gap.data();
+      history.columns.approach = approach.data();
       check(rc_contact_solve_history(Contact(problem, automatic).handle(), &history) == RC_OK, rc_last_error());
       for (std::size_t i = 0; i < targets.size(); ++i) {
         const double off = std::abs(mean - mean_gap[i] - approach[i]);

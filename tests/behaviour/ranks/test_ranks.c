@@ -238,15 +238,15 @@ static void history(const scene* s) {
   path.targets = targets;
   path.undeformed_gap = r.gap;
   path.mask = s->mask == whole ? NULL : r.mask;
-  path.load = loads;
-  path.mean_gap = mean_gap;
-  path.energy = energy;
-  path.stiffness = stiffness;
-  path.load_lower = lower;
-  path.load_upper = upper;
+  path.columns.load = loads;
+  path.columns.mean_gap = mean_gap;
+  path.columns.energy = energy;
+  path.columns.stiffness = stiffness;
+  path.columns.load_lower = lower;
+  path.columns.load_upper = upper;
   if (s->hardness > 0) { /* few scenes: it doubles the solves on the contact set */
-    path.stiffness_lower = less;
-    path.stiffness_upper = more;
+    path.columns.stiffness_lower = less;
+    path.columns.stiffness_upper = more;
   }
   path.fn = watch;
   path.user = &of;

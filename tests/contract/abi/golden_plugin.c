@@ -1,25 +1,30 @@
-/* The numbers of <roughcontact/plugin.h>, see golden.h. */
-#include <roughcontact/plugin.h>
-
+/* Written by scripts/bindings.py, see golden.h. */
 #include "golden.h"
+
+#include <roughcontact/plugin.h>
 
 VALUE(RC_PLUGIN_ABI_MAJOR, 1);
 VALUE(RC_PLUGIN_ABI_MINOR, 0);
-
 VALUE(RC_CAP_FREE, 1);
 VALUE(RC_CAP_PERIODIC, 2);
 VALUE(RC_CAP_DENSE_INPUT, 4);
 VALUE(RC_CAP_CALLBACK, 8);
-VALUE(RC_CAP_SUBSET, 1024);
-VALUE(RC_CAP_THREAD_INVARIANT, 64);
-VALUE(RC_CAP_SHIFTED, 2048);
-VALUE(RC_CAP_NORM, 4096);
-VALUE(RC_CAP_SEMI_PERIODIC, 8192);
-VALUE(RC_CAP_FLOAT, 256);
-VALUE(RC_CAP_SCREEN, 512);
-VALUE(RC_CAP_APPROXIMATE, 128);
 VALUE(RC_CAP_FAR_FIELD, 16);
 VALUE(RC_CAP_ROWS, 32);
+VALUE(RC_CAP_SEMI_PERIODIC, 8192);
+VALUE(RC_CAP_THREAD_INVARIANT, 64);
+VALUE(RC_CAP_APPROXIMATE, 128);
+VALUE(RC_CAP_FLOAT, 256);
+VALUE(RC_CAP_SCREEN, 512);
+VALUE(RC_CAP_SUBSET, 1024);
+VALUE(RC_CAP_SHIFTED, 2048);
+VALUE(RC_CAP_NORM, 4096);
+VALUE(RC_NEEDS_GRID, INT64_C(4294967296));
+VALUE(RC_WANTS_BOX, INT64_C(8589934592));
+VALUE(RC_READS_GAP, INT64_C(17179869184));
+VALUE(RC_READS_SINGLE_GAP, INT64_C(34359738368));
+VALUE(RC_TAKES_CAP, INT64_C(68719476736));
+VALUE(RC_TAKES_ROWS, INT64_C(137438953472));
 VALUE(RC_KERNEL_FREE, 1);
 VALUE(RC_KERNEL_PERIODIC, 2);
 VALUE(RC_KERNEL_SQUARE, 4);
@@ -27,22 +32,6 @@ VALUE(RC_KERNEL_POSITIVE, 8);
 VALUE(RC_KERNEL_FAR_FIELD, 16);
 VALUE(RC_KERNEL_SEMI_PERIODIC, 32);
 VALUE(RC_KERNEL_HOMOGENEOUS, 64);
-
-VALUE(RC_NEEDS_GRID, INT64_C(4294967296));
-VALUE(RC_WANTS_BOX, INT64_C(8589934592));
-VALUE(RC_READS_GAP, INT64_C(17179869184));
-VALUE(RC_TAKES_CAP, INT64_C(68719476736));
-VALUE(RC_READS_SINGLE_GAP, INT64_C(34359738368));
-VALUE(RC_TAKES_ROWS, INT64_C(137438953472));
-
-SIZE(rc_rows, 56);
-AT(rc_rows, struct_size, 0);
-AT(rc_rows, rank, 8);
-AT(rc_rows, ranks, 16);
-AT(rc_rows, first, 24);
-AT(rc_rows, transpose, 32);
-AT(rc_rows, gather, 40);
-AT(rc_rows, agree, 48);
 
 SIZE(rc_host, 120);
 AT(rc_host, struct_size, 0);
@@ -66,6 +55,15 @@ SIZE(rc_team, 24);
 AT(rc_team, struct_size, 0);
 AT(rc_team, threads, 8);
 AT(rc_team, share, 16);
+
+SIZE(rc_rows, 56);
+AT(rc_rows, struct_size, 0);
+AT(rc_rows, rank, 8);
+AT(rc_rows, ranks, 16);
+AT(rc_rows, first, 24);
+AT(rc_rows, transpose, 32);
+AT(rc_rows, gather, 40);
+AT(rc_rows, agree, 48);
 
 SIZE(rc_operator_spec, 56);
 AT(rc_operator_spec, struct_size, 0);
@@ -174,6 +172,16 @@ AT(rc_coarse, solver, 72);
 AT(rc_coarse, approach, 80);
 AT(rc_coarse, p, 88);
 
+SIZE(rc_kept_steps, 56);
+AT(rc_kept_steps, struct_size, 0);
+AT(rc_kept_steps, last, 8);
+AT(rc_kept_steps, before, 16);
+AT(rc_kept_steps, ahead, 24);
+AT(rc_kept_steps, hardness, 32);
+AT(rc_kept_steps, may_go_without, 40);
+AT(rc_kept_steps, reserved, 44);
+AT(rc_kept_steps, keep, 48);
+
 SIZE(rc_problem, 216);
 AT(rc_problem, struct_size, 0);
 AT(rc_problem, n, 8);
@@ -204,16 +212,6 @@ AT(rc_problem, factors, 192);
 AT(rc_problem, reserved, 196);
 AT(rc_problem, kept, 200);
 AT(rc_problem, rows, 208);
-
-SIZE(rc_kept_steps, 56);
-AT(rc_kept_steps, struct_size, 0);
-AT(rc_kept_steps, last, 8);
-AT(rc_kept_steps, before, 16);
-AT(rc_kept_steps, ahead, 24);
-AT(rc_kept_steps, hardness, 32);
-AT(rc_kept_steps, may_go_without, 40);
-AT(rc_kept_steps, reserved, 44);
-AT(rc_kept_steps, keep, 48);
 
 SIZE(rc_many_answer, 80);
 AT(rc_many_answer, solved, 0);

@@ -21,7 +21,7 @@ struct Study {
     batch.steps = 2;
     batch.targets = targets.data();
     batch.undeformed_gap = gaps.data();
-    batch.load = load.data();
+    batch.columns.load = load.data();
     batch.written = 99;
   }
   Outcome run(std::int64_t written) {

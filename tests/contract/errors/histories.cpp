@@ -23,7 +23,7 @@ struct History {
     path.n = 3;
     path.targets = targets.data();
     path.undeformed_gap = scene.gap.data();
-    path.load = load.data();
+    path.columns.load = load.data();
     path.completed = 99;
   }
   Outcome run(rc_contact* contact, std::int64_t wanted) {

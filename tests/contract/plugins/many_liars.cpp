@@ -172,11 +172,11 @@ Found solved(
   b.mask = of.mask.data();
   b.mask_stride = RC_BATCH_SHARED;
   b.p = f.p.data();
-  b.load = f.load.data();
-  b.approach = f.approach.data();
-  b.contact_area = f.area.data();
-  b.certificate = f.certificate.data();
-  b.iterations = f.iterations.data();
+  b.columns.load = f.load.data();
+  b.columns.approach = f.approach.data();
+  b.columns.contact_area = f.area.data();
+  b.columns.certificate = f.certificate.data();
+  b.columns.iterations = f.iterations.data();
   change(b);
   f.status = rc_batch_solve(&of.system, options, &b);
   rc_options_destroy(options);
@@ -385,11 +385,11 @@ void an_honest_call_of_many_is_taken(void**) {
 // Answers of many have no place for these numbers, so that each contact computes its own.
 void outputs_that_no_solver_of_many_gives_are_computed(void**) {
   const Scene of(RC_CONTROL_LOAD);
-  for (double* rc_batch::*const output :
-       {&rc_batch::mean_gap, &rc_batch::energy, &rc_batch::stiffness, &rc_batch::load_lower, &rc_batch::load_upper,
-        &rc_batch::area_lower, &rc_batch::area_upper, &rc_batch::stiffness_lower, &rc_batch::stiffness_upper}) {
+  for (double* rc_columns::*const output :
+       {&rc_columns::mean_gap, &rc_columns::energy, &rc_columns::stiffness, &rc_columns::load_lower, &rc_columns::load_upper,
+        &rc_columns::area_lower, &rc_columns::area_upper, &rc_columns::stiffness_lower, &rc_columns::stiffness_upper}) {
     std::vector<double> values(of.targets.size(), infinity);
-    const Found found = solved(of, {}, "liar", [&](rc_batch& b) { b.*output = values.data(); });
+    const Found found = solved(of, {}, "liar", [&](rc_batch& b) { b.columns.*output = values.data(); });
     expect_true(of, found, "more outputs");
     assert_true(!found.refused() && std::find(found.iterations.begin(), found.iterations.end(), 4242) == found.iterations.end());
     for (const double each : values) assert_true(std::isfinite(each));

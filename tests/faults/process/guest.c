@@ -125,7 +125,7 @@ static rc_status batch(void) {
   many.targets = &target;
   many.target_stride = RC_BATCH_SHARED;
   many.undeformed_gap = gap;
-  many.load = values;
+  many.columns.load = values;
   many.fn = on_contact;
   return rc_batch_solve(&matrix, options, &many);
 }
