@@ -341,7 +341,7 @@ def python_module(summary: str, body: str, after: Sequence[str] = ()) -> str:
 
 def golden(headers: Sequence[str], found: Interface) -> str:
     """The numbers of headers, as C that does not compile if they differ."""
-    lines = ["/* Written by scripts/bindings.py, see golden.h. */", '#include "golden.h"', "", *[f"#include <{each}>" for each in sorted(headers)], ""]
+    lines = ["/* Written by scripts/bindings.py, see golden.h. */", "/* clang-format off */", '#include "golden.h"', "", *[f"#include <{each}>" for each in sorted(headers)], ""]
     constants = {name: value for each in (*found.enums, found.numbers, found.bits) for name, value in each.items()}
     for name, value in constants.items():
         if not name.startswith("RC_VERSION_"):

@@ -1,4 +1,5 @@
 /* Written by scripts/bindings.py, see golden.h. */
+/* clang-format off */
 #include "golden.h"
 
 #include <roughcontact/plugin.h>
