@@ -66,7 +66,7 @@ class GridProblem {
   Goal goal;
   StepSurface surface;
   GapOnDevice gap_on_device;      // of the surface, if it is_of() that
-  CoarseGrids* coarse = nullptr;  // solves coarser grids for solvers; it outlives the step
+  CoarseGrids* coarse = nullptr;  // solves coarser grids for solvers; it outlives the step; null: of a level of a pyramid
   mutable Facts facts;
 
  private:
@@ -84,7 +84,6 @@ class CoarseGrids {
  public:
   virtual ~CoarseGrids() = default;
   // attempt: at the step of the finest grid, whose limits hold.
-  virtual std::unique_ptr<CoarseGrids> another() const = 0;  // without grids
   virtual rc_status solve(rc_coarse& request, const GridProblem& problem, const Attempt& attempt) = 0;
 };
 

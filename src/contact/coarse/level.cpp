@@ -42,8 +42,6 @@ rc_options coarse_options(const rc_options& fine, const Monitor& monitor) {
 
 Level::Level(const GridProblem& finer, const rc_options& options, int halvings)
     : halvings_(halvings), problem_(halved_system(finer.system.given, halvings), options, &finer.team(), finer.company()) {
-  if (finer.coarse) coarse_ = finer.coarse->another();
-  problem_.coarse = coarse_.get();
   if (const GatheredTiles* const gathered = finer.surface.gathered()) {
     halve_rows(finer, gathered->shared());
     return;

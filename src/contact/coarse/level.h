@@ -37,7 +37,6 @@ class Level {
   StepSurface rows_;                         // of this process, if the problem gathers tiles again
   std::unique_ptr<GridProblem> multiplies_;  // with these rows
   GridProblem problem_;
-  std::unique_ptr<CoarseGrids> coarse_;
 };
 
 }  // namespace rc

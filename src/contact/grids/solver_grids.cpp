@@ -35,8 +35,6 @@ Numbers solved(GridContact& contact, const rc_step& step, const Outputs& outputs
 
 }  // namespace
 
-std::unique_ptr<CoarseGrids> SolverGrids::another() const { return std::make_unique<SolverGrids>(); }
-
 rc_status SolverGrids::solve(rc_coarse& request, const GridProblem& problem, const Attempt& attempt) {
   const Monitor& monitor = attempt.monitor;
   const rc_system system = coarser_system(problem.system.given, request.nx, request.ny, request.factor);

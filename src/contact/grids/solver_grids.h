@@ -20,7 +20,6 @@ class SolverGrids : public CoarseGrids {
   SolverGrids();
   ~SolverGrids() override;
 
-  std::unique_ptr<CoarseGrids> another() const override;
   rc_status solve(rc_coarse& request, const GridProblem& problem, const Attempt& attempt) override;
   // Solution i of the current step, the coarsest first. Throws Error(ARGUMENT).
   void describe(std::int64_t i, rc_level& out) const;

@@ -68,6 +68,14 @@ bool at_few(const Pressures& contact, const GridProblem& problem) {
   return few(contact.contacts(), problem.system.points(), problem.operators().multiply_by_rows());
 }
 
+std::optional<Choice> choose_few(const GridProblem& problem, const Step& step) {
+  if (problem.company().keeps_all_points() || step.p0.data) return std::nullopt;
+  const std::optional<Choice> choice =
+      choose_for_few(problem.options, problem.system, step.target.control, problem.operators().multiply_by_rows());
+  const bool controls = choice && (choice->solver->controls & static_cast<std::uint32_t>(step.target.control)) != 0;
+  return controls ? choice : std::nullopt;
+}
+
 std::optional<Answer> solve_few(const GridProblem& problem, const Memory& memory, const Step& step, const Choice& choice,
                                 Estimate estimate, Attempt& attempt) {
   const StepSurface& surface = problem.surface;
@@ -119,6 +127,13 @@ std::optional<Answer> solve_few(const GridProblem& problem, const Memory& memory
       return std::move(answer);
     }
   }
+}
+
+std::optional<Answer> solve_if_few(const GridProblem& problem, const Memory& memory, const Step& step, const Estimate& nearer,
+                                   Attempt& attempt) {
+  const std::optional<Choice> choice = choose_few(problem, step);
+  if (!choice || !attempt.failed.empty() || !at_few(nearer.pressures, problem)) return std::nullopt;
+  return solve_few(problem, memory, step, *choice, nearer, attempt);
 }
 
 }  // namespace rc

@@ -92,6 +92,8 @@ rc_status poll(const rc_problem* problem, std::int64_t iteration, double kkt) {
 rc_status coarse(const rc_problem* problem, rc_coarse* request) {
   return caught([&]() -> rc_status {
     const SolverRun& run = run_of(problem);
+    if (!run.problem.coarse)
+      fail(RC_ERR_INCOMPATIBLE, "rc_problem.coarse: this grid is a coarser one of the step and starts without others");
     return run.problem.coarse->solve(*request, run.problem, run.attempt);
   });
 }

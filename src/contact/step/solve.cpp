@@ -6,6 +6,7 @@
 #include "contact/operators.h"
 #include "contact/step/by_approach.h"
 #include "contact/step/by_load.h"
+#include "contact/step/few.h"
 #include "contact/step/sparse_by_rows.h"
 #include "contact/step/sparse_contact.h"
 #include "core/error.h"
@@ -30,10 +31,15 @@ bool pass_over(const GridProblem& problem, const char* name, const char* option,
 }
 
 Answer answer_of(const GridProblem& problem, const Memory& memory, const Step& step, const std::optional<Estimate>& nearer,
-                 Attempt& attempt) {
-  SparseContact sparse = sparse_contact(problem, memory, step, nearer, attempt);
-  if (sparse.answer) return std::move(*sparse.answer);
-  std::optional<Estimate> estimate = nearer ? nearer : std::move(sparse.instead);
+                 Pyramid& pyramid, Attempt& attempt) {
+  std::optional<Estimate> estimate = nearer;
+  if (nearer) {
+    if (std::optional<Answer> few = solve_if_few(problem, memory, step, *nearer, attempt)) return std::move(*few);
+  } else {
+    SparseContact sparse = sparse_contact(problem, memory, step, pyramid, attempt);
+    if (sparse.answer) return std::move(*sparse.answer);
+    estimate = std::move(sparse.instead);
+  }
   return step.target.by_load() ? at_load(problem, memory, step, attempt, std::move(estimate))
                                : at_approach(problem, memory, step, attempt, estimate);
 }
@@ -42,6 +48,7 @@ Finished finished(const GridProblem& problem, const Memory& memory, const Step& 
                   const std::optional<Estimate>& nearer, Attempt& attempt) {
   if (!step.target.touches(problem.surface)) return certified_result(problem, step, {}, attempt, outputs);
   if (std::optional<Finished> sparse = sparse_by_rows(problem, memory, step, attempt, outputs)) return std::move(*sparse);
+  Pyramid pyramid(problem);
   const Choice& choice = attempt.choice;
   std::optional<Error> first;         // why "auto" passed over the first backend
   std::optional<Finished> delivered;  // an answer that is not certified: the caller's arrays hold it if nothing better follows
@@ -49,7 +56,7 @@ Finished finished(const GridProblem& problem, const Memory& memory, const Step& 
     attempt.choice = {};
     attempt.by_solver = false;
     try {
-      Answer answer = answer_of(problem, memory, step, nearer, attempt);
+      Answer answer = answer_of(problem, memory, step, nearer, pyramid, attempt);
       Finished found = certified_result(problem, step, std::move(answer), attempt, outputs);
       const rc_status status = found.numbers.status;
       const bool hopeless = status == RC_STOP_STALLED || status == RC_UNCERTIFIED;
@@ -69,6 +76,10 @@ Finished finished(const GridProblem& problem, const Memory& memory, const Step& 
       if (passed) {
         if (!by_solver) problem.operators().drop(choice.backend->name);
         if (!first) first = error;
+        continue;
+      }
+      if (pyramid.climbing() && error.code() != RC_ERR_MEMORY) {  // the given grid may succeed where a coarser one failed
+        pyramid.give_up();
         continue;
       }
       if (!delivered && first) fail(first->code(), first->what(), "; the next choice of auto failed, too: ", error.what());

@@ -87,21 +87,19 @@ std::optional<Finished> sparse_by_rows(const GridProblem& problem, const Memory&
   if (!tilt) tilt = plane_share(problem.surface, system.nx, system.ny, problem.system.periodic());
 
   std::optional<Finished> finished;
-  std::unique_ptr<CoarseGrids> coarse;
   std::unique_ptr<GridProblem> all;
   company.together([&] {
     all = std::make_unique<GridProblem>(system, problem.options, &problem.team(), company.made_alike());
-    coarse = problem.coarse->another();
-    all->coarse = coarse.get();
     all->facts.tilt = tilt;
     if (problem.system.periodic()) all->operators().multiply_by(problem.operators());
     all->surface = StepSurface(problem.surface, problem.team());
     Memory known;
     if (sparse(contacts)) known.last = gathered(memory.last, problem);
     if (older_sparse) known.before = gathered(memory.before, problem);
+    Pyramid pyramid(*all);
     Attempt here{attempt.monitor};
     here.warm = attempt.warm;
-    if (std::optional<Answer> answer = sparse_contact(*all, known, step, {}, here).answer) {
+    if (std::optional<Answer> answer = sparse_contact(*all, known, step, pyramid, here).answer) {
       finished = certified_result(*all, step, std::move(*answer), here, {});
       attempt.choice = here.choice;
     }

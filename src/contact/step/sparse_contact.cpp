@@ -6,22 +6,19 @@
 #include <limits>
 #include <utility>
 
-#include "contact/coarse/level.h"
 #include "contact/operators.h"
 #include "contact/step/by_approach.h"
 #include "contact/step/by_load.h"
 #include "contact/step/few.h"
-#include "contact/surface/blocks.h"
+#include "core/error.h"
 
 namespace rc {
 
 namespace {
 
-constexpr double estimate_tol = 1e-2;  // of an estimate: spreading the pressures loses further digits
-constexpr double near_target = 0.02;   // largest relative change of the target at which the last step serves as estimate
-constexpr double near_line = 0.3;      // the same for the line through the last two steps
-constexpr std::int64_t least_sparse_side = 64;
-constexpr std::int64_t most_coarse_points = 8192 * 8192;  // of the grid that gives the estimate
+constexpr double near_target = 0.02;  // largest relative change of the target at which the last step serves as estimate
+constexpr double near_line = 0.3;     // the same for the line through the last two steps
+constexpr double far_load = 1.25;     // ratio of two loads beyond which coarser grids give a better start than the last step
 
 // The last step's pressures or, where there were two sparse ones, those of the line through both.
 std::optional<Estimate> last_estimate(const GridProblem& problem, const Memory& memory, const Step& step) {
@@ -48,60 +45,70 @@ bool grows_dense(const GridProblem& problem, const CertifiedStep& last, const St
   return step.target.value >= (step.target.by_load() ? last.load : last.approach) && !at_few(last.pressures, problem);
 }
 
-// How often a grid is halved for its estimate: once, but the largest grids until little memory is needed.
-int halvings_of(std::int64_t points) {
-  int halvings = 1;
-  while (points >> (2 * halvings) > most_coarse_points) ++halvings;
-  return halvings;
+// Whether neither the last steps nor the caller give a start near the target. Processes that do not find sparse contact by rows
+// start on coarser grids in another way.
+bool starts_far(const GridProblem& problem, const Memory& memory, const Step& step) {
+  if (!problem.company().stops_between_products()) return false;
+  if (!step.warm || memory.last.pressures.empty()) return true;
+  if (!step.target.by_load() || memory.ahead(step) != 0) return false;
+  const double ratio = step.target.value / memory.last.load;
+  return ratio > far_load || ratio < 1 / far_load;
 }
 
-// The estimate from a coarser grid, which has its own from a still coarser one. dense: wanted even if contact is not sparse.
-std::optional<Estimate> coarse_estimate(const GridProblem& problem, const Target& target, const Monitor& monitor, bool dense) {
-  const rc_system& system = problem.system.given;
-  if (std::min(system.nx, system.ny) < 2 * least_sparse_side) return std::nullopt;
-  rc_options options = coarse_options(problem.options, monitor);
-  options.set(RC_OPT_TOL, std::max(estimate_tol, problem.options.real(RC_OPT_TOL)));
-  const Level level(problem, options, problem.surface.gathered() ? 1 : halvings_of(problem.system.points()));
-  const GridProblem& half = level.problem();
-  if (!target.touches(half.surface)) return std::nullopt;
+enum class Wanted {
+  while_few,  // only if contact is at few points of every level that is large enough for it
+  whole       // in any case
+};
 
-  const Step at{target};
-  Monitor watch = monitor.silent();
-  Attempt attempt{watch};
-  std::optional<Estimate> coarser = coarse_estimate(half, target, monitor, dense);
-  const std::optional<Choice> choice = choose_for_few(options, half.system, target.control, half.operators().multiply_by_rows());
-  std::optional<Answer> answer;
-  if (choice && coarser && !coarser->dense) answer = solve_few(half, {}, at, *choice, *coarser, attempt);
-  if (!answer) {
-    if ((choice || half.surface.gathered()) && (level.halvings() > 1 || !dense)) return std::nullopt;
-    answer = target.by_load() ? at_load(half, {}, at, attempt, std::move(coarser)) : at_approach(half, {}, at, attempt, coarser);
+// The estimate from coarser grids: solves the levels of the pyramid that are left, each from the one before.
+std::optional<Estimate> coarse_estimate(Pyramid& pyramid, const Target& target, Wanted wanted, Attempt& attempt) {
+  pyramid.build(target, attempt.monitor);
+  const Step step{target};
+  while (const Level* const level = pyramid.next()) {
+    const GridProblem& grid = level->problem();
+    Monitor watch = attempt.monitor.silent();
+    Attempt here{watch, attempt.failed};
+    std::optional<Estimate> estimate = pyramid.estimate();
+    const std::optional<Choice> choice = attempt.failed.empty() ? choose_few(grid, step) : std::nullopt;
+    std::optional<Answer> answer;
+    try {
+      if (choice && estimate && !estimate->dense) answer = solve_few(grid, {}, step, *choice, *estimate, here);
+      const bool may_be_few = choice || grid.surface.gathered();
+      if (!answer && may_be_few && (wanted == Wanted::while_few || level->halvings() > 1)) {
+        pyramid.give_up();
+        return std::nullopt;
+      }
+      if (!answer)
+        answer =
+            target.by_load() ? at_load(grid, {}, step, here, std::move(estimate)) : at_approach(grid, {}, step, here, estimate);
+    } catch (const Error&) {
+      attempt.choice = here.choice;
+      attempt.by_solver = here.by_solver;
+      throw;
+    }
+    pyramid.solved(std::move(*answer));
   }
-  const Pressures found = answer->pressures();
-  const std::int64_t contacts = found.contacts();
-  if (contacts == 0) return std::nullopt;
-  const Blocks blocks{system.nx, system.ny, std::int64_t{1} << level.halvings()};
-  if (GatheredTiles* const gathered = problem.surface.gathered()) gathered->hold_tiles_of(blocks.points_under(found));
-  return Estimate{spread(found, blocks, problem.surface, Cut::same_pressure), half.surface.lowest() + answer->compression,
-                  !few(contacts, half.system.points(), problem.operators().multiply_by_rows())};
+  return pyramid.estimate();
 }
 
 }  // namespace
 
-SparseContact sparse_contact(const GridProblem& problem, const Memory& memory, const Step& step,
-                             const std::optional<Estimate>& nearer, Attempt& attempt) {
-  if (problem.company().keeps_all_points() || step.p0.data || !attempt.failed.empty()) return {};
-  const std::optional<Choice> choice =
-      choose_for_few(problem.options, problem.system, step.target.control, problem.operators().multiply_by_rows());
-  if (!choice || !(choice->solver->controls & static_cast<std::uint32_t>(step.target.control))) return {};
-  if (nearer && !at_few(nearer->pressures, problem)) return {};
-  std::optional<Estimate> start = nearer ? nearer : last_estimate(problem, memory, step);
+SparseContact sparse_contact(const GridProblem& problem, const Memory& memory, const Step& step, Pyramid& pyramid,
+                             Attempt& attempt) {
+  const std::optional<Choice> choice = choose_few(problem, step);
+  if (!choice) return {};
+  const bool passed_over = !attempt.failed.empty();  // the choice may be what failed
+  std::optional<Estimate> start;
+  if (!passed_over) start = last_estimate(problem, memory, step);
   if (!start) {
-    if (grows_dense(problem, memory.last, step)) return {};
-    // Processes that do not find sparse contact by rows start on coarser grids in another way.
-    const bool cold = problem.company().stops_between_products() && (!step.warm || memory.last.pressures.empty());
-    start = coarse_estimate(problem, step.target, attempt.monitor, cold);
+    const bool far = starts_far(problem, memory, step);
+    if (grows_dense(problem, memory.last, step) || (passed_over && !far)) {
+      pyramid.give_up();
+      return {};
+    }
+    start = coarse_estimate(pyramid, step.target, far ? Wanted::whole : Wanted::while_few, attempt);
     if (!start) return {};
-    if (start->dense) return {{}, cold ? std::move(start) : std::nullopt};
+    if (start->dense || passed_over) return {{}, far ? std::move(start) : std::nullopt};
   }
   return {solve_few(problem, memory, step, *choice, std::move(*start), attempt), {}};
 }

@@ -5,6 +5,7 @@
 
 #include "contact/answer.h"
 #include "contact/attempt.h"
+#include "contact/coarse/pyramid.h"
 #include "contact/memory/memory.h"
 #include "contact/problem.h"
 #include "contact/target.h"
@@ -16,8 +17,8 @@ struct SparseContact {
   std::optional<Estimate> instead;  // a start for the whole grid, if coarser grids have found dense contact
 };
 
-// nearer: the estimate of an accuracy goal's coarser grid, or nothing.
-SparseContact sparse_contact(const GridProblem& problem, const Memory& memory, const Step& step,
-                             const std::optional<Estimate>& nearer, Attempt& attempt);
+// pyramid: of this step and grid.
+SparseContact sparse_contact(const GridProblem& problem, const Memory& memory, const Step& step, Pyramid& pyramid,
+                             Attempt& attempt);
 
 }  // namespace rc

@@ -7,7 +7,7 @@
 
 #include "contact/grids/goal/accuracy_goal.h"
 #include "contact/step/by_approach.h"
-#include "contact/step/sparse_contact.h"
+#include "contact/step/few.h"
 #include "core/error.h"
 
 namespace rc {
@@ -75,7 +75,7 @@ std::optional<Numbers> AccuracyGoal::look(GridContact& given, const Step& step, 
   Attempt attempt{monitor};
   attempt.warm = step.warm;
   try {
-    std::optional<Answer> sparse = sparse_contact(problem, given.memory(), at, found.estimate, attempt).answer;
+    std::optional<Answer> sparse = solve_if_few(problem, given.memory(), at, *found.estimate, attempt);
     answer = sparse ? std::move(*sparse) : at_approach(problem, given.memory(), at, attempt, found.estimate);
     if (std::any_of(answer.p.begin(), answer.p.end(), [](double p) { return p < 0; })) answer.checked.reset();
     for (double& p : answer.p) p = std::max(0.0, p);
