@@ -8,6 +8,7 @@
 
 #include "contact/choice.h"
 #include "contact/kept_steps.h"
+#include "contact/remarks.h"
 #include "contact/surface/pressures.h"
 #include "contact/system.h"
 #include "core/chunks.h"
@@ -39,6 +40,7 @@ struct Answer {
   bool handed_over = false;  // the solver's own load control stalled; an iteration on the approach took over
   double datum_shift = 0;    // [length] what the trial set's zero mode adds to H p
   KeptSteps history;         // of p
+  Remarks remarks;           // of its solver
 
   Pressures pressures() const {
     Pressures result{op->trial(), p};

@@ -29,12 +29,12 @@ bool is_status(rc_status status) {
   }
 }
 
-void raise_if_failed(rc_status status, const char* what) {
+void raise_if_failed(rc_status status, const char* what, const AtFault& at_fault) {
   if (!is_status(status) || status == RC_WITHIN_GOAL)
     throw Error(RC_ERR_INTERNAL, join(what, " returned ", status, ", which is not a status"));
   if (status >= 0) return;
-  if (message[0] != '\0') throw Error(status, message);
-  throw Error(status, join(what, " failed with ", rc_status_name(status)));
+  if (message[0] != '\0') throw Error(status, message, at_fault);
+  throw Error(status, join(what, " failed with ", rc_status_name(status)), at_fault);
 }
 
 }  // namespace rc

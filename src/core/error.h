@@ -12,15 +12,24 @@
 
 namespace rc {
 
+// The components whose failure an error is, by name.
+struct AtFault {
+  std::string backend = {};  // that was at work; empty: no component has failed
+  std::string solver = {};   // that has failed on this backend; empty: the backend has
+};
+
 class Error : public std::exception {
  public:
-  Error(rc_status code, std::string message) : code_(code), message_(std::move(message)) {}
+  Error(rc_status code, std::string message, AtFault at_fault = {})
+      : code_(code), message_(std::move(message)), at_fault_(std::move(at_fault)) {}
   rc_status code() const { return code_; }
+  const AtFault& at_fault() const { return at_fault_; }
   const char* what() const noexcept override { return message_.c_str(); }
 
  private:
   rc_status code_;
   std::string message_;
+  AtFault at_fault_;
 };
 
 // An array that the system does not provide. Its message is formatted without memory.
@@ -51,6 +60,6 @@ void clear_message();
 bool is_status(rc_status status);
 
 // Throws for a status < 0, with the message of the component's rc_host::fail, or else one that names the operation `what`.
-void raise_if_failed(rc_status status, const char* what);
+void raise_if_failed(rc_status status, const char* what, const AtFault& at_fault = {});
 
 }  // namespace rc

@@ -17,7 +17,7 @@ Operator::Operator(const rc_backend& backend, const rc_host& host, const rc_syst
   if (ranks) shared_ = SharedRows(*ranks);
   spec_ = {{sizeof(rc_operator_spec), &system_, kernel_.c_str(), &options, &team, poll, ranks ? &shared_ : nullptr}, this};
   clear_message();
-  raise_if_failed(backend_.create(&host, &spec_, &self_), "creating the operator");
+  check(backend_.create(&host, &spec_, &self_), "creating the operator");
 }
 
 Operator::~Operator() {
@@ -37,7 +37,7 @@ void Operator::bind(const TrialSet& trial) {
   TrialSet copy = trial;
   const rc_domain domain{sizeof(rc_domain), copy.n, copy.index.empty() ? nullptr : copy.index.data(), copy.zero_mode};
   clear_message();
-  raise_if_failed(seen(backend_.bind(self_, &domain)), "binding the trial set");
+  check(seen(backend_.bind(self_, &domain)), "binding the trial set");
   trial_ = std::move(copy);  // the backend keeps a pointer to the vector's storage, which moves along
   bound_ = true;
 }
@@ -124,7 +124,7 @@ void Operator::field(std::span<const double> x, std::span<double> y) {
   if (rows_)
     multiply_rows(backend_.field, x.data(), y.data());
   else
-    raise_if_failed(seen(backend_.field(self_, x.data(), y.data())), "the product over all points");
+    check(seen(backend_.field(self_, x.data(), y.data())), "the product over all points");
   if (scale_ != 1)
     for (double& value : y) value /= scale_;
 }
@@ -133,7 +133,7 @@ void Operator::screen(std::span<const double> x, rc_screen& request) {
   ++products_;
   clear_message();
   request.unit /= scale_;
-  raise_if_failed(seen(backend_.screen(self_, x.data(), &request)), "the search for overlapping points");
+  check(seen(backend_.screen(self_, x.data(), &request)), "the search for overlapping points");
   if (scale_ != 1)
     for (std::int64_t i = 0; i < trial_.n; ++i) request.y[i] /= scale_;
 }

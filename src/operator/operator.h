@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/error.h"
 #include "core/ranks.h"
 #include "registry/context.h"
 
@@ -90,6 +91,10 @@ class Operator {
   std::int64_t products() const { return products_; }
   void count(std::int64_t products) { products_ += products; }  // made elsewhere
   const char* name() const { return backend_.name; }
+  // Throws for a status < 0 of this operator, with its backend as the component at fault.
+  void check(rc_status status, const char* what) const {
+    if (status != RC_OK) raise_if_failed(status, what, {.backend = backend_.name});
+  }
   // Whether one of the backend's functions returned an error.
   bool failed() const { return failed_; }
 

@@ -88,8 +88,10 @@ bool only_unknowns_matter(const GridProblem& problem, const Answer& answer) {
          std::all_of(answer.p.begin(), answer.p.end(), [](double p) { return p >= 0; });
 }
 
-// Notes on operations that the core replaced, and on promises that a kernel lacks.
-void remark_on(const GridProblem& problem, const Answer& answer, Remarks& remarks) {
+// What "auto" skipped, what the solver says, operations that the core replaced, and promises that a kernel lacks.
+Remarks remarks_on(const GridProblem& problem, const Answer& answer, const Attempt& attempt) {
+  Remarks remarks = attempt.skipped;
+  remarks.add(answer.remarks);
   const std::uint64_t needs = answer.choice.solver ? answer.choice.solver->needs : 0;
   const auto replaced = [&](std::uint64_t operation, const char* systems) {
     if (answer.op && !(answer.op->capabilities() & operation))
@@ -103,6 +105,7 @@ void remark_on(const GridProblem& problem, const Answer& answer, Remarks& remark
       (system.periodic() ? system.bounds.lambda_wave : system.bounds.lambda_min) == 0 &&
       problem.options.integer(RC_OPT_BOUNDS) != 0 && problem.goal.error == 0)
     remarks.add(join("bounds: kernel \"", system.kernel.name, "\" promises no lowest eigenvalue"));
+  return remarks;
 }
 
 // A caller's matrix or product must be positive definite: p'Hp > 0 for the pressures found.
@@ -147,7 +150,7 @@ Totals totals_of(const GridProblem& problem, const Deflected& answer, const Surv
 
 // Answers, message and arrays. rate: the stiffness, if the answer has given its pressures away.
 Numbers finished(const GridProblem& problem, const Step& step, const Answer& answer, const Deflected& found, double depth,
-                 std::optional<Stiffness> rate, Attempt& attempt, const Outputs& outputs) {
+                 std::optional<Stiffness> rate, const Attempt& attempt, const Outputs& outputs) {
   if (!rate) rate = wanted_stiffness(problem, answer, attempt);
   std::optional<ProvenSets> proven;
   Numbers numbers = certified_numbers(problem, step, answer, found, depth, rate->value, attempt, &proven);
@@ -162,7 +165,7 @@ Numbers finished(const GridProblem& problem, const Step& step, const Answer& ans
   const bool left_out = problem.options.integer(RC_OPT_STIFFNESS) != 0 && cancelled(problem, attempt) == RC_STOP_CANCELLED;
   if (numbers.status == RC_OK && left_out) numbers.status = RC_STOP_CANCELLED;  // its stiffness
   numbers.work = work_of(problem, attempt.monitor);
-  if (numbers.status != RC_OK) set_message(explain(numbers, attempt.remarks).c_str());
+  if (numbers.status != RC_OK) set_message(explain(numbers, remarks_on(problem, answer, attempt)).c_str());
   write_arrays(problem, found, depth, outputs);
   return numbers;
 }
@@ -174,10 +177,9 @@ double mean_gap(const GridProblem& problem, const Survey& everywhere, double ove
 }
 
 Numbers certified_numbers(const GridProblem& problem, const Step& step, const Answer& by, const Deflected& answer,
-                          double compression, double stiffness, Attempt& attempt, std::optional<ProvenSets>* proven) {
+                          double compression, double stiffness, const Attempt& attempt, std::optional<ProvenSets>* proven) {
   const System& system = problem.system;
   const StepSurface& surface = problem.surface;
-  remark_on(problem, by, attempt.remarks);
   const RimPoints rim(system.given, surface.points().company().first_row());
   const Survey found = survey(surface, compression, answer);
   Numbers result;
@@ -223,7 +225,7 @@ Numbers certified_numbers(const GridProblem& problem, const Step& step, const An
   const Rim on_rim{rim.share(), totals.sum > 0 ? totals.on_rim / totals.sum : 0, largest_there};
   const bool isolated =
       system.halfspace() && totals.contacts > 1 && totals.capped <= 1 && isolated_peak(system, surface, answer, found.touching);
-  copy_text(result.note, note_of(problem, result, compression, isolated, on_rim, attempt.remarks).c_str());
+  copy_text(result.note, note_of(problem, result, compression, isolated, on_rim, remarks_on(problem, by, attempt)).c_str());
   result.status = result.certificate.within(result.tolerance) ? RC_OK : RC_UNCERTIFIED;
   return result;
 }
@@ -273,7 +275,7 @@ Deflected deflected(const GridProblem& problem, Answer& answer, bool everywhere)
   Operator& op = certifying(problem, *answer.op);
   if (!everywhere && !company.keeps_all_points() && only_unknowns_matter(problem, answer)) {
     result.product = large_vector<double>(answer.p.size(), team);
-    raise_if_failed(op.apply(answer.p.data(), result.product.data()), "the certificate's product");
+    op.check(op.apply(answer.p.data(), result.product.data()), "the certificate's product");
     take_units(answer, problem, result.product);
     result.pressures = answer.take_pressures(team);
     return result;
@@ -331,7 +333,7 @@ Overlap overlap_of(const GridProblem& problem, const Deflected& found, double co
 
 }  // namespace
 
-Finished certified_result(const GridProblem& problem, const Step& step, Answer&& answer, Attempt& attempt,
+Finished certified_result(const GridProblem& problem, const Step& step, Answer&& answer, const Attempt& attempt,
                           const Outputs& outputs) {
   Stiffness rate = wanted_stiffness(problem, answer, attempt);
   Deflected found = deflected(problem, answer, outputs.gap.wanted());
@@ -341,7 +343,7 @@ Finished certified_result(const GridProblem& problem, const Step& step, Answer&&
   const double depth = !answer.op ? without : stopped ? fitting_compression(problem, found) : answer.compression;
   Overlap overlap = overlap_of(problem, found, depth);
   Numbers numbers = finished(problem, step, answer, found, depth, std::move(rate), attempt, outputs);
-  return {numbers, std::move(found.pressures), std::move(overlap), std::move(answer.history.own)};
+  return {numbers, std::move(found.pressures), std::move(overlap), std::move(answer.history.own), answer.choice};
 }
 
 Deflected deflection(const GridProblem& problem, const TrialSet& trial, std::vector<double> p, Answer& by,
@@ -358,7 +360,7 @@ Deflected deflection(const GridProblem& problem, const TrialSet& trial, std::vec
   return result;
 }
 
-Finished certify_given(const GridProblem& problem, const Step& step, Attempt& attempt, const Outputs& outputs,
+Finished certify_given(const GridProblem& problem, const Step& step, const Attempt& attempt, const Outputs& outputs,
                        std::optional<double> compression) {
   const Company& company = problem.company();
   TrialSet trial;

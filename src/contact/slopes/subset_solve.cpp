@@ -61,7 +61,7 @@ rc_status SubsetSolve::operator()(std::span<const double> b, double tol, std::sp
     const double unknown = std::numeric_limits<double>::quiet_NaN();
     bound = {unknown, sum_in_order(b.size(), [&](std::size_t i) { return b[i] * x[i]; }), unknown};
   }
-  raise_if_failed(status, "the solve on the contact set");
+  op_.check(status, "the solve on the contact set");
   return status;
 }
 
@@ -71,7 +71,7 @@ rc_status SubsetSolve::form(std::span<const double> b, double tol, std::span<dou
     return (*this)(b, tol, x, bound);
   }
   const rc_status status = preconditioned_->form(b, tol, mean_, x, bound);
-  raise_if_failed(status, "the solve on the contact set");
+  op_.check(status, "the solve on the contact set");
   return status;
 }
 
@@ -80,7 +80,7 @@ rc_status SubsetSolve::prove(std::span<const double> b, std::span<const double> 
   std::vector<double> spread(static_cast<std::size_t>(op_.trial().n)), product(spread.size());
   for (std::size_t k = 0; k < set_.size(); ++k) spread[static_cast<std::size_t>(set_[k])] = x[k];
   const rc_status status = op_.apply(spread.data(), product.data());
-  raise_if_failed(status, "the residual of a solve on the contact set");
+  op_.check(status, "the residual of a solve on the contact set");
   if (status != RC_OK) return status;
   const auto sum = [&](const auto& term) { return sum_of(set_.size(), term); };
   const auto left = [&](std::size_t k) { return b[k] - product[static_cast<std::size_t>(set_[k])]; };

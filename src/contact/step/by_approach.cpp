@@ -4,7 +4,7 @@
 
 namespace rc {
 
-Answer at_approach(const GridProblem& problem, const Memory& memory, const Step& step, Attempt& attempt,
+Answer at_approach(const GridProblem& problem, const Memory& memory, const Step& step, const Attempt& attempt,
                    const std::optional<Estimate>& nearer) {
   const double approach = step.target.value, depth = step.target.compression(problem.surface);
   Trial trial(problem, step, trial_below(approach, problem), depth, attempt);

@@ -12,7 +12,7 @@
 namespace rc {
 
 // nearer: the estimate of a coarser grid.
-Answer at_approach(const GridProblem& problem, const Memory& memory, const Step& step, Attempt& attempt,
+Answer at_approach(const GridProblem& problem, const Memory& memory, const Step& step, const Attempt& attempt,
                    const std::optional<Estimate>& nearer);
 
 }  // namespace rc

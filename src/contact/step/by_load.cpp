@@ -41,7 +41,8 @@ double approach_estimate(double load, bool warm, const GridProblem& problem, con
 // the points at hand whose pressure is free. Steps outside the bracket are replaced by bisection and, if a cap keeps the load
 // from being convex, those after one that left more than half of the missing load, too. All in dimensionless units; the
 // operator's zero mode adds `shift` to the approach, which is taken out of the answer.
-rc_status balance_load(Answer& answer, double load, double shift, double first, const GridProblem& problem, Attempt& attempt) {
+rc_status balance_load(Answer& answer, double load, double shift, double first, const GridProblem& problem,
+                       const Attempt& attempt) {
   const TrialSet& trial = answer.op->trial();
   const std::size_t n = answer.p.size();
   const double tol = problem.options.real(RC_OPT_TOL), lowest = problem.surface.lowest();
@@ -75,7 +76,7 @@ rc_status balance_load(Answer& answer, double load, double shift, double first, 
     rate.assign(contact.size(), 0.0);
     const rc_status status = contact.empty() ? RC_OK : answer.op->subset(contact, ones.data(), rate.data());
     if (status != RC_OK) {
-      raise_if_failed(status, "the slope of the load");
+      answer.op->check(status, "the slope of the load");
       return status;
     }
     double slope = 0;
@@ -96,7 +97,7 @@ rc_status balance_load(Answer& answer, double load, double shift, double first, 
 
 }  // namespace
 
-Answer at_load(const GridProblem& problem, const Memory& memory, const Step& step, Attempt& attempt,
+Answer at_load(const GridProblem& problem, const Memory& memory, const Step& step, const Attempt& attempt,
                std::optional<Estimate> estimate) {
   const System& system = problem.system;
   const StepSurface& surface = problem.surface;

@@ -12,7 +12,7 @@
 namespace rc {
 
 // estimate: that of a coarser grid.
-Answer at_load(const GridProblem& problem, const Memory& memory, const Step& step, Attempt& attempt,
+Answer at_load(const GridProblem& problem, const Memory& memory, const Step& step, const Attempt& attempt,
                std::optional<Estimate> estimate);
 
 }  // namespace rc

@@ -77,7 +77,7 @@ std::optional<Choice> choose_few(const GridProblem& problem, const Step& step) {
 }
 
 std::optional<Answer> solve_few(const GridProblem& problem, const Memory& memory, const Step& step, const Choice& choice,
-                                Estimate estimate, Attempt& attempt) {
+                                Estimate estimate, const Attempt& attempt) {
   const StepSurface& surface = problem.surface;
   const System& system = problem.system;
   const Target& target = step.target;
@@ -130,7 +130,7 @@ std::optional<Answer> solve_few(const GridProblem& problem, const Memory& memory
 }
 
 std::optional<Answer> solve_if_few(const GridProblem& problem, const Memory& memory, const Step& step, const Estimate& nearer,
-                                   Attempt& attempt) {
+                                   const Attempt& attempt) {
   const std::optional<Choice> choice = choose_few(problem, step);
   if (!choice || !attempt.failed.empty() || !at_few(nearer.pressures, problem)) return std::nullopt;
   return solve_few(problem, memory, step, *choice, nearer, attempt);

@@ -20,10 +20,10 @@ std::optional<Choice> choose_few(const GridProblem& problem, const Step& step);
 
 // choice: of choose_few. Nothing if the estimate has no contact, or one that cannot carry the load.
 std::optional<Answer> solve_few(const GridProblem& problem, const Memory& memory, const Step& step, const Choice& choice,
-                                Estimate estimate, Attempt& attempt);
+                                Estimate estimate, const Attempt& attempt);
 
 // From the estimate of an accuracy goal's coarser grid. Also nothing if contact there is not at few points.
 std::optional<Answer> solve_if_few(const GridProblem& problem, const Memory& memory, const Step& step, const Estimate& nearer,
-                                   Attempt& attempt);
+                                   const Attempt& attempt);
 
 }  // namespace rc

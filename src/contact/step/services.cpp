@@ -106,7 +106,7 @@ void multiplied(const rc_problem* problem, std::int64_t products) { run_of(probl
 
 void note(const rc_problem* problem, const char* text) {
   caught([&]() -> rc_status {
-    run_of(problem).attempt.remarks.replace(text);
+    run_of(problem).remarks.replace(text);
     return RC_OK;
   });
 }
@@ -242,14 +242,14 @@ rc_status warm_up(BoundProblem& problem, double* p, double* d) {
   const std::string& name = run.problem.options.text(RC_OPT_WARMUP);
   const rc_solver& solver = run.problem.options.context->solver(name);
   if (!(solver.controls & static_cast<std::uint32_t>(problem.control))) {
-    run.attempt.remarks.replace(join("warmup: \"", name, "\" cannot prescribe the load and was left out"));
+    run.remarks.replace(join("warmup: \"", name, "\" cannot prescribe the load and was left out"));
     return RC_OK;
   }
   require(solver, run, "warmup");
   problem.most_iterations = run.problem.options.integer(RC_OPT_WARMUP_ITERATIONS);
   const rc_status status = solve(solver, problem, p, d);
   problem.most_iterations = run.most_iterations;
-  raise_if_failed(status, solver.name);
+  if (status != RC_OK) raise_if_failed(status, solver.name, {.backend = run.choice.backend->name});
   run.attempt.monitor.next_call();
   return status == RC_STOP_CANCELLED || status == RC_STOP_TIME ? status : RC_OK;
 }
@@ -260,11 +260,12 @@ bool takes_gap(const rc_solver& solver, const rc_options& options) {
   return (solver.needs & RC_READS_GAP) && !warms_up(solver, options);
 }
 
-SolverRun::SolverRun(const GridProblem& posed, const Answer& answer, Attempt& under, std::int64_t look, KeptSteps* history)
+SolverRun::SolverRun(const GridProblem& posed, Answer& answer, const Attempt& under, std::int64_t look, KeptSteps* history)
     : problem(posed),
       choice(answer.choice),
       op(*answer.op),
       attempt(under),
+      remarks(answer.remarks),
       fallbacks(posed.options.integer(RC_OPT_ALLOW_FALLBACK) != 0),
       grid(posed.system.halfspace() ? grid_of(posed) : rc_grid{}),
       length_unit(posed.system.halfspace() ? answer.units.length : 0),
@@ -310,8 +311,8 @@ rc_status SolverRun::operator()(std::int32_t control, std::span<const double> u,
     history_ = nullptr;
   }
   const rc_status status = solve(*choice.solver, posed, p.data(), &d);
-  attempt.by_solver = status < 0 && !op.failed();
-  raise_if_failed(status, choice.solver->name);
+  if (status != RC_OK)
+    raise_if_failed(status, choice.solver->name, {choice.backend->name, op.failed() ? "" : choice.solver->name});
   op_for(posed);
   return status;
 }

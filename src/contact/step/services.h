@@ -19,10 +19,10 @@ struct BoundProblem;
 // Runs one solver for one answer. It makes the solver's problem and its services.
 class SolverRun {
  public:
-  // Runs the solver of answer.choice on answer.op. look: the most iterations of a solver that only tries the grid; 0: it
-  // solves. history: null, or what the first run's start was made of, with room for what its solver keeps of its answer. All must
-  // outlive it.
-  SolverRun(const GridProblem& problem, const Answer& answer, Attempt& attempt, std::int64_t look = 0,
+  // Runs the solver of answer.choice on answer.op; its remarks go to the answer. look: the most iterations of a solver that only
+  // tries the grid; 0: it solves. history: null, or what the first run's start was made of, with room for what its solver keeps
+  // of its answer. All must outlive it.
+  SolverRun(const GridProblem& problem, Answer& answer, const Attempt& attempt, std::int64_t look = 0,
             KeptSteps* history = nullptr);
 
   // Approach control: w = H p - u, residual relative to 1. Load control: w = H p - u - d, relative to d + max u.
@@ -35,7 +35,8 @@ class SolverRun {
   const GridProblem& problem;
   const Choice choice;
   Operator& op;
-  Attempt& attempt;
+  const Attempt& attempt;
+  Remarks& remarks;
   const bool fallbacks;                     // operations that the backend lacks may be replaced
   const rc_grid grid;                       // without its index, approach and gap; nx = 0: there is none
   const double length_unit, pressure_unit;  // of u and p; 0 without a grid

@@ -1,5 +1,6 @@
 #include "contact/step/solve.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -15,23 +16,41 @@ namespace rc {
 
 namespace {
 
-// Whether "auto" may pass over this component; if so, notes that it did.
-bool pass_over(const GridProblem& problem, const char* name, const char* option, const std::string& reason, Attempt& attempt) {
+// Passes over this component in the next attempt, if "auto" may choose another one. Returns whether that is so.
+bool pass_over(const GridProblem& problem, const std::string& name, const char* option, const std::string& reason,
+               Attempt& attempt) {
   if (!problem.company().may_pass_over() || problem.options.text(option) != "auto" ||
-      problem.options.integer(RC_OPT_ALLOW_FALLBACK) == 0)
+      problem.options.integer(RC_OPT_ALLOW_FALLBACK) == 0 || name == problem.options.text(RC_OPT_CERTIFY_BACKEND) ||
+      std::ranges::find(attempt.failed, name) != attempt.failed.end())
     return false;
-  attempt.failed.emplace_back(name);
+  attempt.failed.push_back(name);
   try {
     choose(problem.options, problem.system, {}, attempt.failed);
   } catch (const Error&) {
+    attempt.failed.pop_back();
     return false;
   }
-  attempt.remarks.add(join("auto: skipped ", name, ": ", reason));
+  attempt.skipped.add(join("auto: skipped ", name, ": ", reason));
+  return true;
+}
+
+// The same for the component that an error names.
+bool pass_over(const GridProblem& problem, const Error& error, Attempt& attempt) {
+  const AtFault& at_fault = error.at_fault();
+  const bool device = error.code() == RC_ERR_EXTERNAL && problem.system.halfspace();  // which calls nothing of the caller's
+  const bool lacking =
+      device || error.code() == RC_ERR_MEMORY || error.code() == RC_ERR_PLUGIN || error.code() == RC_ERR_INCOMPATIBLE;
+  if (!lacking || at_fault.backend.empty()) return false;
+  // A solver that has a device of its own may fail with every backend.
+  if (!at_fault.solver.empty() && (device || problem.options.text(RC_OPT_SOLVER) == "auto"))
+    return pass_over(problem, at_fault.solver, RC_OPT_SOLVER, error.what(), attempt);
+  if (!pass_over(problem, at_fault.backend, RC_OPT_BACKEND, error.what(), attempt)) return false;
+  problem.operators().drop(at_fault.backend.c_str());
   return true;
 }
 
 Answer answer_of(const GridProblem& problem, const Memory& memory, const Step& step, const std::optional<Estimate>& nearer,
-                 Pyramid& pyramid, Attempt& attempt) {
+                 Pyramid& pyramid, const Attempt& attempt) {
   std::optional<Estimate> estimate = nearer;
   if (nearer) {
     if (std::optional<Answer> few = solve_if_few(problem, memory, step, *nearer, attempt)) return std::move(*few);
@@ -49,32 +68,20 @@ Finished finished(const GridProblem& problem, const Memory& memory, const Step& 
   if (!step.target.touches(problem.surface)) return certified_result(problem, step, {}, attempt, outputs);
   if (std::optional<Finished> sparse = sparse_by_rows(problem, memory, step, attempt, outputs)) return std::move(*sparse);
   Pyramid pyramid(problem);
-  const Choice& choice = attempt.choice;
   std::optional<Error> first;         // why "auto" passed over the first backend
   std::optional<Finished> delivered;  // an answer that is not certified: the caller's arrays hold it if nothing better follows
   for (;;) {
-    attempt.choice = {};
-    attempt.by_solver = false;
     try {
       Answer answer = answer_of(problem, memory, step, nearer, pyramid, attempt);
       Finished found = certified_result(problem, step, std::move(answer), attempt, outputs);
       const rc_status status = found.numbers.status;
       const bool hopeless = status == RC_STOP_STALLED || status == RC_UNCERTIFIED;
       const std::string reason = hopeless ? join("which ended with: ", rc_status_text(status)) : "";
-      if (!hopeless || !pass_over(problem, choice.solver->name, RC_OPT_SOLVER, reason, attempt)) return found;
-      delivered = Finished{.numbers = found.numbers};
+      if (!hopeless || !pass_over(problem, found.by.solver->name, RC_OPT_SOLVER, reason, attempt)) return found;
+      delivered = Finished{.numbers = found.numbers, .by = found.by};
       clear_message();
     } catch (const Error& error) {
-      const bool device = error.code() == RC_ERR_EXTERNAL && problem.system.halfspace();  // which calls nothing of the caller's
-      const bool lacking =
-          device || error.code() == RC_ERR_MEMORY || error.code() == RC_ERR_PLUGIN || error.code() == RC_ERR_INCOMPATIBLE;
-      // A solver that has a device of its own may fail with every backend.
-      const bool by_solver = attempt.by_solver && (device || problem.options.text(RC_OPT_SOLVER) == "auto");
-      const bool passed = lacking && choice.backend &&
-                          (by_solver ? pass_over(problem, choice.solver->name, RC_OPT_SOLVER, error.what(), attempt)
-                                     : pass_over(problem, choice.backend->name, RC_OPT_BACKEND, error.what(), attempt));
-      if (passed) {
-        if (!by_solver) problem.operators().drop(choice.backend->name);
+      if (pass_over(problem, error, attempt)) {
         if (!first) first = error;
         continue;
       }
@@ -94,10 +101,10 @@ Finished finished(const GridProblem& problem, const Memory& memory, const Step& 
 
 Solved solve_step(const GridProblem& problem, const Memory& memory, const Step& step, Monitor& monitor, const Outputs& outputs,
                   const std::optional<Estimate>& nearer) {
-  Attempt attempt{monitor};
-  attempt.warm = step.warm;
+  Attempt attempt{monitor, step.warm};
   Finished answer = finished(problem, memory, step, outputs, nearer, attempt);
-  return {std::move(answer), {attempt.choice, std::move(attempt.failed)}};
+  const Choice by = answer.by;
+  return {std::move(answer), {by, std::move(attempt.failed)}};
 }
 
 }  // namespace rc

@@ -73,7 +73,7 @@ double write_gap(const GridProblem& problem, const Finished& mine, const Attempt
 
 }  // namespace
 
-std::optional<Finished> sparse_by_rows(const GridProblem& problem, const Memory& memory, const Step& step, Attempt& attempt,
+std::optional<Finished> sparse_by_rows(const GridProblem& problem, const Memory& memory, const Step& step, const Attempt& attempt,
                                        const Outputs& outputs) {
   const Company& company = problem.company();
   if (!company.keeps_all_points() || step.p0.data || !all_can(problem, step)) return std::nullopt;
@@ -97,16 +97,12 @@ std::optional<Finished> sparse_by_rows(const GridProblem& problem, const Memory&
     if (sparse(contacts)) known.last = gathered(memory.last, problem);
     if (older_sparse) known.before = gathered(memory.before, problem);
     Pyramid pyramid(*all);
-    Attempt here{attempt.monitor};
-    here.warm = attempt.warm;
-    if (std::optional<Answer> answer = sparse_contact(*all, known, step, pyramid, here).answer) {
-      finished = certified_result(*all, step, std::move(*answer), here, {});
-      attempt.choice = here.choice;
-    }
+    if (std::optional<Answer> answer = sparse_contact(*all, known, step, pyramid, attempt).answer)
+      finished = certified_result(*all, step, std::move(*answer), attempt, {});
   });
   if (!finished || finished->numbers.status == RC_STOP_STALLED || finished->numbers.status == RC_UNCERTIFIED) return std::nullopt;
 
-  Finished mine{.numbers = finished->numbers};
+  Finished mine{.numbers = finished->numbers, .by = finished->by};
   company.on_all([&] {
     const Pressures& p = finished->pressures;
     each_own(

@@ -13,7 +13,7 @@ namespace rc {
 
 // Nothing if the process is alone, contact is not sparse, or the options leave no backend for it. The pressures are those
 // of this process's rows.
-std::optional<Finished> sparse_by_rows(const GridProblem& problem, const Memory& memory, const Step& step, Attempt& attempt,
+std::optional<Finished> sparse_by_rows(const GridProblem& problem, const Memory& memory, const Step& step, const Attempt& attempt,
                                        const Outputs& outputs);
 
 }  // namespace rc

@@ -10,7 +10,6 @@
 #include "contact/step/by_approach.h"
 #include "contact/step/by_load.h"
 #include "contact/step/few.h"
-#include "core/error.h"
 
 namespace rc {
 
@@ -61,31 +60,25 @@ enum class Wanted {
 };
 
 // The estimate from coarser grids: solves the levels of the pyramid that are left, each from the one before.
-std::optional<Estimate> coarse_estimate(Pyramid& pyramid, const Target& target, Wanted wanted, Attempt& attempt) {
+std::optional<Estimate> coarse_estimate(Pyramid& pyramid, const Target& target, Wanted wanted, const Attempt& attempt) {
   pyramid.build(target, attempt.monitor);
   const Step step{target};
   while (const Level* const level = pyramid.next()) {
     const GridProblem& grid = level->problem();
     Monitor watch = attempt.monitor.silent();
-    Attempt here{watch, attempt.failed};
+    const Attempt here{.monitor = watch, .failed = attempt.failed};
     std::optional<Estimate> estimate = pyramid.estimate();
     const std::optional<Choice> choice = attempt.failed.empty() ? choose_few(grid, step) : std::nullopt;
     std::optional<Answer> answer;
-    try {
-      if (choice && estimate && !estimate->dense) answer = solve_few(grid, {}, step, *choice, *estimate, here);
-      const bool may_be_few = choice || grid.surface.gathered();
-      if (!answer && may_be_few && (wanted == Wanted::while_few || level->halvings() > 1)) {
-        pyramid.give_up();
-        return std::nullopt;
-      }
-      if (!answer)
-        answer =
-            target.by_load() ? at_load(grid, {}, step, here, std::move(estimate)) : at_approach(grid, {}, step, here, estimate);
-    } catch (const Error&) {
-      attempt.choice = here.choice;
-      attempt.by_solver = here.by_solver;
-      throw;
+    if (choice && estimate && !estimate->dense) answer = solve_few(grid, {}, step, *choice, *estimate, here);
+    const bool may_be_few = choice || grid.surface.gathered();
+    if (!answer && may_be_few && (wanted == Wanted::while_few || level->halvings() > 1)) {
+      pyramid.give_up();
+      return std::nullopt;
     }
+    if (!answer)
+      answer =
+          target.by_load() ? at_load(grid, {}, step, here, std::move(estimate)) : at_approach(grid, {}, step, here, estimate);
     pyramid.solved(std::move(*answer));
   }
   return pyramid.estimate();
@@ -94,7 +87,7 @@ std::optional<Estimate> coarse_estimate(Pyramid& pyramid, const Target& target, 
 }  // namespace
 
 SparseContact sparse_contact(const GridProblem& problem, const Memory& memory, const Step& step, Pyramid& pyramid,
-                             Attempt& attempt) {
+                             const Attempt& attempt) {
   const std::optional<Choice> choice = choose_few(problem, step);
   if (!choice) return {};
   const bool passed_over = !attempt.failed.empty();  // the choice may be what failed

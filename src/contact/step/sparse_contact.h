@@ -19,6 +19,6 @@ struct SparseContact {
 
 // pyramid: of this step and grid.
 SparseContact sparse_contact(const GridProblem& problem, const Memory& memory, const Step& step, Pyramid& pyramid,
-                             Attempt& attempt);
+                             const Attempt& attempt);
 
 }  // namespace rc

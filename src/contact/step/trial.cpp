@@ -42,11 +42,11 @@ TrialSet trial_below(double limit, const GridProblem& problem) {
   return problem.system.positive ? points_below(limit, problem.surface) : included_points(problem.surface);
 }
 
-Trial::Trial(const GridProblem& problem, const Step& step, TrialSet set, double unit, Attempt& attempt,
+Trial::Trial(const GridProblem& problem, const Step& step, TrialSet set, double unit, const Attempt& attempt,
              std::optional<Choice> choice)
     : problem_(problem), step_(step), set_(std::move(set)), attempt_(attempt) {
-  attempt.choice = choice ? *choice : choose_for(problem, set_, step.target.control, attempt.failed, step.look > 0);
-  answer = answer_in(unit, attempt.choice, problem.system);
+  const Choice by = choice ? *choice : choose_for(problem, set_, step.target.control, attempt.failed, step.look > 0);
+  answer = answer_in(unit, by, problem.system);
   if (!choice) set_ = widened(std::move(set_), answer.choice, problem);
 }
 

@@ -15,7 +15,7 @@ namespace rc {
 class Trial {
  public:
   // Chooses solver and backend for these unknowns, or takes those given. unit: 1 in dimensionless lengths [length].
-  Trial(const GridProblem& problem, const Step& step, TrialSet set, double unit, Attempt& attempt,
+  Trial(const GridProblem& problem, const Step& step, TrialSet set, double unit, const Attempt& attempt,
         std::optional<Choice> choice = std::nullopt);
 
   // Binds the operator. zero_mode: the eigenvalue for the constant vector, see rc_domain.
@@ -36,7 +36,7 @@ class Trial {
   const GridProblem& problem_;
   const Step& step_;
   TrialSet set_;
-  Attempt& attempt_;
+  const Attempt& attempt_;
   bool follows_ = false;
 };
 

@@ -72,8 +72,7 @@ std::optional<Numbers> AccuracyGoal::look(GridContact& given, const Step& step, 
   std::vector<double> kept;
   bool screened = false;
   rc_status ended = RC_OK;
-  Attempt attempt{monitor};
-  attempt.warm = step.warm;
+  const Attempt attempt{monitor, step.warm};
   try {
     std::optional<Answer> sparse = solve_if_few(problem, given.memory(), at, *found.estimate, attempt);
     answer = sparse ? std::move(*sparse) : at_approach(problem, given.memory(), at, attempt, found.estimate);
@@ -143,7 +142,7 @@ std::optional<Numbers> AccuracyGoal::look(GridContact& given, const Step& step, 
                    " of ", system.given.nx, "x", system.given.ny, " points")
                   .c_str());
   write_arrays(problem, corrected, depth, outputs);
-  given.remember({numbers, std::move(corrected.pressures)}, attempt.choice);
+  given.remember({numbers, std::move(corrected.pressures)}, answer.choice);
   return numbers;
 }
 
