@@ -19,7 +19,7 @@ class Company {
  public:
   Company() = default;
   // The ranks must outlive the company.
-  static Company by_rows(const Ranks& ranks) { return {std::shared_ptr<const Ranks>(std::shared_ptr<void>(), &ranks), {}}; }
+  static Company sharing(const Ranks& ranks) { return {std::shared_ptr<const Ranks>(std::shared_ptr<void>(), &ranks), {}}; }
   // The processes that share rows, each working on all points; the same on a grid of half as many rows.
   Company made_alike() const { return {{}, rows_}; }
   Company halved() const { return {std::make_shared<const Ranks>(rows_->halved()), {}}; }
@@ -31,10 +31,9 @@ class Company {
     return company;
   }
 
-  // By rows points without pressure stay unknowns.
-  bool keeps_all_points() const { return rows_ != nullptr; }
-  // Systems on subsets, solvers inside solvers, and answers that solvers keep for the next step need every point here.
-  bool has_all_points() const { return rows_ == nullptr; }
+  // Whether this process has a part of the rows. Then every point stays an unknown, and nothing that needs all points here is
+  // done: systems on subsets, solvers inside solvers, answers that solvers keep for the next step.
+  bool by_rows() const { return rows_ != nullptr; }
   // A component that fails here may work on another process: "auto" continues without it only if no other process must do the
   // same.
   bool may_pass_over() const { return !rows_ && !alike_ && !repeated_; }

@@ -43,7 +43,7 @@ rc_status SolverGrids::solve(rc_coarse& request, const GridProblem& problem, con
   options.set(RC_OPT_STIFFNESS, std::int64_t{0});
   if (request.tol > 0) options.set(RC_OPT_TOL, request.tol);
 
-  if (problem.company().keeps_all_points()) return solve_shared(request, problem, attempt.warm, system, options);
+  if (problem.company().by_rows()) return solve_shared(request, problem, attempt.warm, system, options);
   Level& level = levels_[system.nx * system.ny];
   if (level.contact && level.summary.nx == system.nx)
     level.contact->problem().set_options(options);

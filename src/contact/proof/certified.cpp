@@ -67,7 +67,7 @@ Operator& certifying(const GridProblem& problem, Operator& solving) {
 }
 
 TrialSet all_if_kept(TrialSet trial, const GridProblem& problem) {
-  if (problem.company().keeps_all_points() || trial.n == problem.own_points()) return {problem.own_points(), {}};
+  if (problem.company().by_rows() || trial.n == problem.own_points()) return {problem.own_points(), {}};
   return trial;
 }
 
@@ -273,7 +273,7 @@ Deflected deflected(const GridProblem& problem, Answer& answer, bool everywhere)
     return result;
   }
   Operator& op = certifying(problem, *answer.op);
-  if (!everywhere && !company.keeps_all_points() && only_unknowns_matter(problem, answer)) {
+  if (!everywhere && !company.by_rows() && only_unknowns_matter(problem, answer)) {
     result.product = large_vector<double>(answer.p.size(), team);
     op.check(op.apply(answer.p.data(), result.product.data()), "the certificate's product");
     take_units(answer, problem, result.product);

@@ -100,7 +100,7 @@ Survey survey(const StepSurface& surface, double compression, const Deflected& a
   };
   const Terms mine = reduce<Terms>(n, surface.points().team(), body), all = surface.points().company().united(mine);
   return {touching.list(), all.largest_product, all.largest_gap,
-          surface.points().company().keeps_all_points() ? sum_by_pieces(surface, compression, answer) : mine.sum_of_gaps};
+          surface.points().company().by_rows() ? sum_by_pieces(surface, compression, answer) : mine.sum_of_gaps};
 }
 
 }  // namespace rc

@@ -55,7 +55,7 @@ ContactSetSolve::ContactSetSolve(Operator& op, std::span<const std::int64_t> set
     }
     trees_.push_back(trees_at(inputs, 0, 0));
     pieces_ = {0, set_.size()};
-    if (company.keeps_all_points()) {
+    if (company.by_rows()) {
       const Chunks pieces = company.chunks(grid.nx);
       const std::int64_t points = op.trial().n;
       pieces_ = {0};
@@ -75,7 +75,7 @@ ContactSetSolve::ContactSetSolve(Operator& op, std::span<const std::int64_t> set
 ContactSetSolve::Trees ContactSetSolve::trees_at(const TreeInputs& inputs, std::int64_t x, std::int64_t y) const {
   const bool around = inputs.table.mean > 0;
   const std::int64_t nx = inputs.cells.mx, ny = inputs.cells.my, width = around ? nx : nx + x, height = around ? ny : ny + y;
-  const bool every_cell = company_.keeps_all_points();
+  const bool every_cell = company_.by_rows();
   const std::size_t before = every_cell ? static_cast<std::size_t>(nx) : 0;
   std::vector<std::size_t> place;
   for (const std::int64_t position : set_) {

@@ -204,7 +204,7 @@ void connect(BoundProblem& problem) {
   problem.struct_size = sizeof(rc_problem);
   problem.apply = apply;
   const Company& company = run.problem.company();
-  const bool all_here = company.has_all_points();
+  const bool all_here = !company.by_rows();
   problem.rows = company.shown_in(problem.shared);
   problem.subset = all_here && (run.fallbacks || (caps & RC_CAP_SUBSET)) ? subset : nullptr;
   problem.poll = poll;
@@ -295,7 +295,7 @@ rc_status SolverRun::operator()(std::int32_t control, std::span<const double> u,
     warmed_up_ = true;
     if (const rc_status status = warm_up(posed, p.data(), &d); status != RC_OK) return status;
   }
-  if (history_ && problem.goal.keeps_answers && grid.nx > 0 && problem.company().has_all_points()) {
+  if (history_ && problem.goal.keeps_answers && grid.nx > 0 && !problem.company().by_rows()) {
     const bool as_given = !warms_up(*choice.solver, problem.options);
     posed.steps = {{.struct_size = sizeof(rc_kept_steps),
                     .last = as_given ? history_->last.of(*choice.solver) : nullptr,

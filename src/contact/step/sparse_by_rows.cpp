@@ -76,7 +76,7 @@ double write_gap(const GridProblem& problem, const Finished& mine, const Attempt
 std::optional<Finished> sparse_by_rows(const GridProblem& problem, const Memory& memory, const Step& step, const Attempt& attempt,
                                        const Outputs& outputs) {
   const Company& company = problem.company();
-  if (!company.keeps_all_points() || step.p0.data || !all_can(problem, step)) return std::nullopt;
+  if (!company.by_rows() || step.p0.data || !all_can(problem, step)) return std::nullopt;
   const rc_system& system = problem.system.given;
   const std::int64_t contacts = step.warm ? contacts_of(memory.last, problem) : 0;
   const double before = step.target.by_load() ? memory.last.load : memory.last.approach;

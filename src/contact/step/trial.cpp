@@ -14,7 +14,7 @@ namespace {
 // The whole bounding box, if the solver wants it, products on it cost the same and it is at most twice as large.
 TrialSet widened(TrialSet trial, const Choice& choice, const GridProblem& problem) {
   constexpr std::uint64_t by_points = RC_CAP_SUBSET | RC_CAP_SCREEN;  // backends whose products cost more with every point
-  if (problem.company().keeps_all_points() || !(choice.solver->needs & RC_WANTS_BOX) || (choice.backend->caps & by_points) ||
+  if (problem.company().by_rows() || !(choice.solver->needs & RC_WANTS_BOX) || (choice.backend->caps & by_points) ||
       !problem.surface.range().whole)
     return trial;
   const rc_system& system = problem.system.given;
@@ -38,7 +38,7 @@ std::vector<double> compenetrations(const Answer& answer, double datum, const Gr
 }  // namespace
 
 TrialSet trial_below(double limit, const GridProblem& problem) {
-  if (problem.company().keeps_all_points()) return {problem.own_points(), {}};
+  if (problem.company().by_rows()) return {problem.own_points(), {}};
   return problem.system.positive ? points_below(limit, problem.surface) : included_points(problem.surface);
 }
 

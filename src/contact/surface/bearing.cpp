@@ -66,7 +66,7 @@ double bearing_height(double target, const StepSurface& surface) {
   const Company& company = points.company();
   const double all = full_bed_height(target, static_cast<double>(surface.range().included), surface.moments().mean);
   double range = surface.range().width();
-  const bool exact_sums = company.keeps_all_points();  // whole numbers: the bits do not depend on whose rows the points are in
+  const bool exact_sums = company.by_rows();  // whole numbers: the bits do not depend on whose rows the points are in
   if (all >= range) return all;
   // Narrows the range until the bins resolve the answer.
   for (int round = 0;; ++round) {

@@ -103,7 +103,7 @@ StepSurface::StepSurface(const GivenSurface& given, const rc_team& team, const C
     fail(RC_ERR_ARGUMENT, "gap has ", whole.bad, " value(s) that are not finite, first at ", place(whole.first_bad, nx), " (",
          whole.bad_value, "); exclude them with rc_step.mask");
   range_ = {whole.included, whole.included == nx * company.all_rows(given.ny), whole.lowest, whole.highest};
-  if (given.side > 0 && company.keeps_all_points()) company.on_all([&] { fill_masked(given.side); });
+  if (given.side > 0 && company.by_rows()) company.on_all([&] { fill_masked(given.side); });
 }
 
 StepSurface::StepSurface(const StepSurface& shared, const rc_team& team)
