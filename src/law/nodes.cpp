@@ -39,11 +39,10 @@ void LawNodes::bound(LawSample& sample, const LawSample& next) const {
   node.bounds = RC_LAW_MONOTONE;
   node.between_lower = 0;
   node.between_upper = HUGE_VAL;
-  if (!sample.proven || !next.proven || !sample.contacts.within(next.contacts)) return;
+  if (!sample.proven || !next.proven || !sample.contacts.within(next.contacts) || !sample.capped.within(next.capped)) return;
   if (!next.capped.empty()) {
     // Points below the hardness: at least those that touch already and do not reach it, at most those that touch by the next
     // node.
-    if (!sample.capped.within(next.capped)) return;
     const auto slopes = patch_.slopes(sample.contacts.without(next.capped), next.contacts.without(sample.capped));
     if (!slopes) return;
     double lower = slopes->lower;
