@@ -7,10 +7,10 @@ from pathlib import Path
 import numpy as np
 
 
-def gsf(z, hx, hy):
+def gsf(z, hx, hy, fields=""):
     """The bytes of a Gwyddion Simple Field."""
     ny, nx = z.shape
-    header = "Gwyddion Simple Field 1.0\nXRes = %d\nYRes = %d\nXReal = %.17g\nYReal = %.17g\n" % (nx, ny, nx * hx, ny * hy)
+    header = "Gwyddion Simple Field 1.0\nXRes = %d\nYRes = %d\nXReal = %.17g\nYReal = %.17g\n%s" % (nx, ny, nx * hx, ny * hy, fields)
     head = header.encode("utf-8")
     return head + b"\0" * (4 - len(head) % 4) + z.astype("<f4").tobytes()
 
