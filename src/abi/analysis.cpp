@@ -33,18 +33,18 @@ rc_status rc_area_measure(const rc_system* system, const double* p, const uint8_
 
 rc_status rc_patches_find(const rc_system* system, const double* p, const uint8_t* mask, rc_patches* out) {
   return guard("rc_patches_find", [&] {
-    const rc_patches today = read<rc_patches>(out, "rc_patches", RC_PATCHES_INIT);
-    check_reserved(today.reserved, "rc_patches.reserved");
-    out->count = find_patches(map_of(system, p, mask), today);
+    const rc_patches asked = read<rc_patches>(out, "rc_patches", RC_PATCHES_INIT);
+    check_reserved(asked.reserved, "rc_patches.reserved");
+    out->count = find_patches(map_of(system, p, mask), asked);
     return RC_OK;
   });
 }
 
 rc_status rc_histogram_fill(const rc_system* system, const double* p, const uint8_t* mask, rc_histogram* out) {
   return guard("rc_histogram_fill", [&] {
-    rc_histogram today = read<rc_histogram>(out, "rc_histogram", RC_HISTOGRAM_INIT);
-    fill_histogram(map_of(system, p, mask), today);
-    write(out, today);
+    rc_histogram asked = read<rc_histogram>(out, "rc_histogram", RC_HISTOGRAM_INIT);
+    fill_histogram(map_of(system, p, mask), asked);
+    write(out, asked);
     return RC_OK;
   });
 }

@@ -7,15 +7,15 @@
 extern "C" rc_status rc_batch_solve(const rc_system* system, const rc_options* options, rc_batch* batch) {
   using namespace rc;
   return guard("rc_batch_solve", [&] {
-    const rc_batch today = read<rc_batch>(batch, "rc_batch", RC_BATCH_INIT);
+    const rc_batch asked = read<rc_batch>(batch, "rc_batch", RC_BATCH_INIT);
     batch->written = batch->certified = 0;
     batch->first = -1;
-    check_switch(today.warm_start, "rc_batch.warm_start");
-    check_switch(today.virgin, "rc_batch.virgin");
-    check_reserved(today.reserved, "rc_batch.reserved");
+    check_switch(asked.warm_start, "rc_batch.warm_start");
+    check_switch(asked.virgin, "rc_batch.virgin");
+    check_reserved(asked.reserved, "rc_batch.reserved");
     const BatchOutcome outcome = solve_batch(read<rc_system>(system, "rc_system", RC_SYSTEM_INIT),
-                                             options ? *options : rc_options{Context::standard(), {}}, today);
-    batch->written = today.n;
+                                             options ? *options : rc_options{Context::standard(), {}}, asked);
+    batch->written = asked.n;
     batch->certified = outcome.certified;
     batch->first = outcome.first;
     if (outcome.status < 0) fail(outcome.status, outcome.message);

@@ -19,9 +19,9 @@ template <class Body> rc_status exclusively_or_inside(const char* where, rc_cont
 }
 
 template <class Body> rc_status with_step(Contact& contact, const rc_step* step, rc_result* result, const Body& body) {
-  const rc_step today = read_step(step);
+  const rc_step asked = read_step(step);
   rc_result answer = read_result(result);
-  const Numbers numbers = body(contact, today, outputs_of(answer));
+  const Numbers numbers = body(contact, asked, outputs_of(answer));
   write(numbers, contact.problem().system, answer);
   write(result, answer);
   return numbers.status;
@@ -77,10 +77,10 @@ rc_status rc_contact_certify(rc_contact* contact, const rc_step* step, rc_result
 
 rc_status rc_contact_solve_history(rc_contact* contact, rc_history* path) {
   return exclusively("rc_contact_solve_history", contact, [&](Contact& c) {
-    const rc_history today = read<rc_history>(path, "rc_history", RC_HISTORY_INIT);
+    const rc_history asked = read<rc_history>(path, "rc_history", RC_HISTORY_INIT);
     path->completed = 0;
-    check_switches(today);
-    return solve_history(c, today, wants_of(today), path->completed);
+    check_switches(asked);
+    return solve_history(c, asked, wants_of(asked), path->completed);
   });
 }
 
@@ -124,18 +124,18 @@ rc_status rc_contact_explain(rc_contact* contact, const char** out) {
 
 rc_status rc_contact_gradient(rc_contact* contact, rc_gradient* gradient) {
   return exclusively("rc_contact_gradient", contact, [&](Contact& c) {
-    rc_gradient today = read<rc_gradient>(gradient, "rc_gradient", RC_GRADIENT_INIT);
-    const rc_status status = c.gradient(today);
-    if (status == RC_OK || status == RC_STOP_STALLED) write(gradient, today);
+    rc_gradient asked = read<rc_gradient>(gradient, "rc_gradient", RC_GRADIENT_INIT);
+    const rc_status status = c.gradient(asked);
+    if (status == RC_OK || status == RC_STOP_STALLED) write(gradient, asked);
     return status;
   });
 }
 
 rc_status rc_contact_tangent(rc_contact* contact, rc_tangent* tangent) {
   return exclusively("rc_contact_tangent", contact, [&](Contact& c) {
-    rc_tangent today = read<rc_tangent>(tangent, "rc_tangent", RC_TANGENT_INIT);
-    const rc_status status = c.tangent(today);
-    if (status == RC_OK || status == RC_STOP_STALLED) write(tangent, today);
+    rc_tangent asked = read<rc_tangent>(tangent, "rc_tangent", RC_TANGENT_INIT);
+    const rc_status status = c.tangent(asked);
+    if (status == RC_OK || status == RC_STOP_STALLED) write(tangent, asked);
     return status;
   });
 }

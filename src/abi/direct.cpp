@@ -40,19 +40,19 @@ void check_size_of(const rc_direct* result) {
 
 void report(const Numbers& answer, const System& system, rc_direct* result) {
   if (!result) return;
-  rc_direct told{};
-  told.status = answer.status;
-  told.iterations = answer.work.iterations;
-  told.products = answer.work.products;
-  told.contacts = answer.totals.contacts;
-  told.load = answer.load(system);
-  told.energy = answer.totals.energy * system.cell_area();
-  told.kkt = answer.certificate.worst();
-  told.duality_gap = answer.bounds.duality_gap;
-  told.load_lower = answer.bounds.load_lower;
-  told.load_upper = answer.bounds.load_upper;
-  std::snprintf(told.note, sizeof told.note, "%s", answer.note);
-  write(result, told);
+  rc_direct written{};
+  written.status = answer.status;
+  written.iterations = answer.work.iterations;
+  written.products = answer.work.products;
+  written.contacts = answer.totals.contacts;
+  written.load = answer.load(system);
+  written.energy = answer.totals.energy * system.cell_area();
+  written.kkt = answer.certificate.worst();
+  written.duality_gap = answer.bounds.duality_gap;
+  written.load_lower = answer.bounds.load_lower;
+  written.load_upper = answer.bounds.load_upper;
+  std::snprintf(written.note, sizeof written.note, "%s", answer.note);
+  write(result, written);
 }
 
 struct Matrix {

@@ -45,23 +45,23 @@ template <class Body> rc_status with_contact(const char* where, rc_ranks_contact
 template <class Body>
 rc_status with_step(const char* where, rc_ranks_contact* contact, const rc_step* step, rc_result* result, const Body& body) {
   return with_contact(where, contact, [&](SharedContact& c) {
-    rc_step today = RC_STEP_INIT;
+    rc_step asked = RC_STEP_INIT;
     rc_result answer = RC_RESULT_INIT;
     on_all(&c.ranks(), [&] {
-      today = read_step(step);
+      asked = read_step(step);
       answer = read_result(result);
       const auto check_host = [](const auto& array, const char* name) {
         if (array.memory)
           fail(RC_ERR_INCOMPATIBLE, name, ".memory = \"", array.memory,
                "\": contacts shared by ranks take arrays in the host's memory only");
       };
-      check_host(today.undeformed_gap, "rc_step.undeformed_gap");
-      check_host(today.mask, "rc_step.mask");
-      check_host(today.p0, "rc_step.p0");
+      check_host(asked.undeformed_gap, "rc_step.undeformed_gap");
+      check_host(asked.mask, "rc_step.mask");
+      check_host(asked.p0, "rc_step.p0");
       check_host(answer.p, "rc_result.p");
       check_host(answer.gap, "rc_result.gap");
     });
-    const Numbers numbers = body(c, today, outputs_of(answer));
+    const Numbers numbers = body(c, asked, outputs_of(answer));
     write(numbers, c.system(), answer);
     write(result, answer);
     return numbers.status;
@@ -90,12 +90,12 @@ rc_status rc_ranks_contact_create(const rc_exchange* exchange, const rc_system* 
     if (out) *out = nullptr;
     const Ranks meeting(checked(exchange), 1);
     std::unique_ptr<rc_ranks_contact> made;
-    meeting.alike([&] {
+    meeting.together([&] {
       if (!out) fail(RC_ERR_ARGUMENT, "out is null");
-      const rc_system today = with_rows(system);
+      const rc_system asked = with_rows(system);
       const rc_options chosen = options ? *options : rc_options{Context::standard(), {}};
-      check_agreement(meeting, facts_of(today, chosen));
-      made.reset(new rc_ranks_contact{{meeting, today, chosen}});
+      check_agreement(meeting, facts_of(asked, chosen));
+      made.reset(new rc_ranks_contact{{meeting, asked, chosen}});
     });
     *out = made.release();
     return RC_OK;
@@ -114,13 +114,13 @@ rc_status rc_ranks_contact_solve(rc_ranks_contact* contact, const rc_step* step,
 
 rc_status rc_ranks_contact_solve_history(rc_ranks_contact* contact, rc_history* path) {
   return with_contact("rc_ranks_contact_solve_history", contact, [&](SharedContact& c) {
-    rc_history today = RC_HISTORY_INIT;
+    rc_history asked = RC_HISTORY_INIT;
     on_all(&c.ranks(), [&] {
-      today = read<rc_history>(path, "rc_history", RC_HISTORY_INIT);
+      asked = read<rc_history>(path, "rc_history", RC_HISTORY_INIT);
       path->completed = 0;
-      check_switches(today);
+      check_switches(asked);
     });
-    return c.solve_history(today, path->completed);
+    return c.solve_history(asked, path->completed);
   });
 }
 

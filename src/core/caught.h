@@ -8,23 +8,23 @@
 
 namespace rc {
 
-// Runs action(), which returns a status. If it throws, status and message are written to `told`, and the status is returned.
+// Runs action(), which returns a status. If it throws, status and message are written to `failed`, and the status is returned.
 // Allocates nothing, because an allocation may be what failed.
-template <class Action, class Told> rc_status caught(const Action& action, const Told& told) {
+template <class Action, class Failed> rc_status caught(const Action& action, const Failed& failed) {
   try {
     return action();
   } catch (const Error& error) {
-    return told(error.code(), error.what());
+    return failed(error.code(), error.what());
   } catch (const OutOfMemory& error) {
-    return told(RC_ERR_MEMORY, error.what());
+    return failed(RC_ERR_MEMORY, error.what());
   } catch (const std::bad_alloc&) {
-    return told(RC_ERR_MEMORY, "out of memory");
+    return failed(RC_ERR_MEMORY, "out of memory");
   } catch (const Cancelled&) {
     throw;  // the thread is being cancelled
   } catch (const std::exception& error) {
-    return told(RC_ERR_INTERNAL, error.what());
+    return failed(RC_ERR_INTERNAL, error.what());
   } catch (...) {
-    return told(RC_ERR_INTERNAL, "an unknown exception");
+    return failed(RC_ERR_INTERNAL, "an unknown exception");
   }
 }
 

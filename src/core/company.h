@@ -108,7 +108,7 @@ class Company {
     rows_->gather_rows(mine, nx, all);
   }
   // By rows: an action that all do alike, with exchanges in it; if it fails in one process, all throw the same Error.
-  template <class Action> void together(const Action& action) const { rows_->alike(action); }
+  template <class Action> void together(const Action& action) const { rows_->together(action); }
 
   // At the begin of a step.
   void forget_stop() const {

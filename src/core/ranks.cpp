@@ -160,16 +160,16 @@ void Ranks::checked(const void* mine, const std::vector<std::int64_t>& bytes, vo
 }
 
 // Ends a stretch in which all ranks do the same; exchanges failures that have not been exchanged yet.
-void Ranks::finish_alike() const {
-  if (link_->told == RC_OK) guarded([&] { exchange_statuses(); });
-  link_->alike = false;
+void Ranks::finish_together() const {
+  if (link_->agreed == RC_OK) guarded([&] { exchange_statuses(); });
+  link_->together = false;
   link_->failed = RC_OK;
-  if (link_->told == RC_OK) return;
-  fail(std::exchange(link_->told, RC_OK), static_cast<const char*>(link_->told_message));
+  if (link_->agreed == RC_OK) return;
+  fail(std::exchange(link_->agreed, RC_OK), static_cast<const char*>(link_->agreed_message));
 }
 
 void Ranks::exchange_statuses() const {
-  if (link_->alike && link_->told != RC_OK) fail(link_->told, static_cast<const char*>(link_->told_message));
+  if (link_->together && link_->agreed != RC_OK) fail(link_->agreed, static_cast<const char*>(link_->agreed_message));
   ++link_->counts.gathers;
   std::fill(link_->with_head.begin(), link_->with_head.end(), sizeof(Head));
   exchange_with_heads(link_->sent.data(), link_->received.data());
@@ -231,9 +231,9 @@ void Ranks::raise(std::int64_t first, rc_status status) const {
   message[sizeof message - 1] = 0;
   link_->failed = RC_OK;
   forget_stop();
-  link_->told = status;
-  std::snprintf(link_->told_message, sizeof link_->told_message, "rank %d: %s", static_cast<int>(first), message);
-  fail(status, static_cast<const char*>(link_->told_message));
+  link_->agreed = status;
+  std::snprintf(link_->agreed_message, sizeof link_->agreed_message, "rank %d: %s", static_cast<int>(first), message);
+  fail(status, static_cast<const char*>(link_->agreed_message));
 }
 
 }  // namespace rc

@@ -80,22 +80,22 @@ class Ranks {
 
   // Runs an action that all ranks do alike, each with exchanges in it. If one fails, wherever that is, the others learn of it
   // before their next exchange, or at the end: all throw the same Error, and exchange nothing more.
-  template <class Action> void alike(const Action& action) const {
-    if (link_->alike) return action();
-    link_->alike = true;
-    link_->told = RC_OK;
+  template <class Action> void together(const Action& action) const {
+    if (link_->together) return action();
+    link_->together = true;
+    link_->agreed = RC_OK;
     guarded(action);
-    finish_alike();
+    finish_together();
   }
 
   // A part of such an action that saves the exchanges of statuses: nothing in it may fail on one rank alone, but in guarded().
   class Unwatched {
    public:
-    explicit Unwatched(const Ranks* ranks) : link_(ranks ? ranks->link_ : nullptr), before_(link_ && link_->alike) {
-      if (link_) link_->alike = false;
+    explicit Unwatched(const Ranks* ranks) : link_(ranks ? ranks->link_ : nullptr), before_(link_ && link_->together) {
+      if (link_) link_->together = false;
     }
     ~Unwatched() {
-      if (link_) link_->alike = before_;
+      if (link_) link_->together = before_;
     }
     Unwatched(const Unwatched&) = delete;
     Unwatched& operator=(const Unwatched&) = delete;
@@ -155,10 +155,10 @@ class Ranks {
     return std::any_of(all.begin(), all.end(), [](char each) { return each != 0; });
   }
 
-  // Unchecked ones: a failure of theirs is told at the next checked one. While all do alike, those of `gather` and `shift` begin
+  // Unchecked ones: the next checked one reports a failure of theirs. While all do alike, those of `gather` and `shift` begin
   // as checked ones do; before a transposition, and what goes with it, call watch().
   void watch() const {
-    if (link_->alike) exchange_statuses();
+    if (link_->together) exchange_statuses();
   }
   void gather(const void* mine, const std::int64_t* bytes, void* all) const;
   void gather_unwatched(const void* mine, const std::int64_t* bytes, void* all) const;
@@ -196,9 +196,9 @@ class Ranks {
     rc_status failed = RC_OK, asked_stop = RC_OK, stop = RC_OK;
     char message[400] = "";
     // While all do alike: each exchange begins with one of statuses alone, which a rank that has failed joins instead.
-    bool alike = false;
-    rc_status told = RC_OK;  // the failure that all have heard of
-    char told_message[420] = "";
+    bool together = false;
+    rc_status agreed = RC_OK;  // the failure that all ranks know
+    char agreed_message[420] = "";
     // Memory for small exchanges, allocated beforehand, so that no rank lacks it when others already take part.
     std::vector<std::int64_t> bytes, with_head;  // [ranks]
     std::vector<std::byte> sent, received;
@@ -218,7 +218,7 @@ class Ranks {
   void exchange_checked(const void* mine, const std::vector<std::int64_t>& bytes, void* all) const;
   void exchange_with_heads(std::byte* sent, std::byte* received) const;
   void exchange_statuses() const;
-  void finish_alike() const;
+  void finish_together() const;
   [[noreturn]] void raise(std::int64_t first, rc_status status) const;
   std::int64_t sent_to_others(const std::int64_t* sent) const;
 

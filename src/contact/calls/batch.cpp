@@ -114,7 +114,7 @@ class Progress {
   // Adds to the number of steps that have outputs.
   void add(std::int64_t steps) {
     const std::int64_t all = steps_.fetch_add(steps, std::memory_order_relaxed) + steps;
-    if (tell_ && stopped() == RC_OK && told(all) != 0) stop_by("rc_batch.progress ended the batch");
+    if (tell_ && stopped() == RC_OK && ask_host(all) != 0) stop_by("rc_batch.progress ended the batch");
   }
 
   // Contact i ended at step k, not certified. Allocates nothing, because an allocation may be what failed.
@@ -161,7 +161,7 @@ class Progress {
   }
 
  private:
-  std::int32_t told(std::int64_t steps) const {
+  std::int32_t ask_host(std::int64_t steps) const {
     const HostsTurn turn;
     return tell_(steps, user_);
   }
@@ -204,7 +204,7 @@ class Worker {
         if (many_ && progress_.stopped() == RC_OK)
           i += together(i, end);
         else
-          follow(i++);
+          solve_one(i++);
     }
   }
 
@@ -227,7 +227,7 @@ class Worker {
     for (const std::int64_t k : solved) take(i + k, answers, k);
     if (!solved.empty()) progress_.add(static_cast<std::int64_t>(solved.size()) * steps);
     answers = {};
-    for (const std::int64_t k : others) follow(i + k);
+    for (const std::int64_t k : others) solve_one(i + k);
     return count;
   }
   // Contact i is number k of these answers.
@@ -239,7 +239,7 @@ class Worker {
       std::copy_n(answers.p.data() + (first + steps - 1) * request_.points, request_.points, to);
   }
 
-  void follow(std::int64_t i) {
+  void solve_one(std::int64_t i) {
     contact_->forget(Forgotten::surface);
     bool within_goal = false;
     for (std::int64_t k = 0; k < request_.given.steps; ++k) {

@@ -47,8 +47,8 @@ void Contact::ask(const Asked& asked) {
   problem.goal.leaves_indentation = asked.leaves_indentation;
 }
 
-Step Contact::begin(const rc_step& given) {
-  const Step step = grid_.begin(given);  // a step that is refused changes nothing
+Step Contact::prepare(const rc_step& given) {
+  const Step step = grid_.prepare(given);  // a step that is refused changes nothing
   accuracy_ = RC_ACCURACY_INIT;
   if (problem().options.integer(RC_OPT_RESUMABLE) != 0) goal_.forget();
   return step;
@@ -56,14 +56,14 @@ Step Contact::begin(const rc_step& given) {
 
 Numbers Contact::solve(const rc_step& step, const Outputs& outputs) {
   OnHost host(grid_.problem(), held_, step, outputs, false);
-  const Step begun = begin(host.step);
+  const Step prepared = prepare(host.step);
   const Cancellable cancellable(watcher());
-  Numbers numbers = solve_begun(begun, host.outputs);
+  Numbers numbers = solve_prepared(prepared, host.outputs);
   host.give(outputs);
   return numbers;
 }
 
-Numbers Contact::solve_begun(const Step& step, const Outputs& outputs) {
+Numbers Contact::solve_prepared(const Step& step, const Outputs& outputs) {
   Monitor monitor = grid_.monitor();
   // With a hardness the whole grid is solved: the error estimates of an accuracy goal hold for elastic contact.
   const System& system = problem().system;
@@ -73,7 +73,7 @@ Numbers Contact::solve_begun(const Step& step, const Outputs& outputs) {
   std::optional<Numbers> numbers;
   if (coarser_may_do) numbers = goal_.solve(grid_, step, monitor, outputs, nearer);
   if (!numbers) {
-    numbers = grid_.solve_begun(step, monitor, outputs, nearer);
+    numbers = grid_.solve_prepared(step, monitor, outputs, nearer);
     if (coarser_may_do) goal_.add_work(monitor, numbers->work);
   }
   accuracy_ = numbers->accuracy;

@@ -43,8 +43,8 @@ class Contact {
   void restore(const rc_state& state);
 
   // One step of a history, while it is Cancellable.
-  Step begin(const rc_step& step);
-  Numbers solve_begun(const Step& step, const Outputs& outputs);
+  Step prepare(const rc_step& step);
+  Numbers solve_prepared(const Step& step, const Outputs& outputs);
   void ask(const Asked& asked);
 
  private:

@@ -95,10 +95,10 @@ rc_status solve_history(Contact& contact, const rc_history& history, const Histo
     const Outputs outputs{{history.fn ? p.data() : nullptr}, {gap.empty() ? nullptr : gap.data()}};
     Numbers numbers;
     try {
-      const Step begun = contact.begin(step);
+      const Step prepared = contact.prepare(step);
       clear_message();
       numbers.status = RC_STOP_CANCELLED;
-      if (!contact.problem().company().any(cancellable.cancelled())) numbers = contact.solve_begun(begun, outputs);
+      if (!contact.problem().company().any(cancellable.cancelled())) numbers = contact.solve_prepared(prepared, outputs);
     } catch (const Error& error) {
       fail(error.code(), where(history, i), ": ", error.what());
     }

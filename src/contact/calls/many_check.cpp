@@ -90,31 +90,33 @@ class Check {
   void compare_pressures(std::int64_t i) const {
     const double lowest = lowest_gap(i);
     for (std::int64_t k = 0; k < batch_.steps; ++k) {
-      const rc_many_answer& told = answer(i, k);
+      const rc_many_answer& reported = answer(i, k);
       const Sums found = sums_of(pressures(i, k), mask(i));
-      for (const double residual : {told.primal, told.dual, told.complementarity})
+      for (const double residual : {reported.primal, reported.dual, reported.complementarity})
         if (!(residual <= tol_)) refuse(i, k, "a residual is reported as ", residual, ", above tol = ", tol_);
       if (!std::isfinite(found.absolute) || !std::isfinite(target(i, k))) refuse(i, k, "pressures or target are not finite");
       if (found.outside) refuse(i, k, "a masked point carries pressure");
       if (const double primal = primal_violation(found.least, found.largest, system_.hardness); !(primal <= tol_))
         refuse(i, k, "kkt_primal is ", primal, ", the lowest pressure ", found.least, ", the highest ", found.largest);
-      if (found.contacts != told.contacts) refuse(i, k, found.contacts, " points carry pressure, reported as ", told.contacts);
+      if (found.contacts != reported.contacts)
+        refuse(i, k, found.contacts, " points carry pressure, reported as ", reported.contacts);
       const double rounding = (static_cast<double>(system_.points()) + 8) * epsilon * found.absolute;
-      if (!(std::abs(found.sum - told.sum) <= rounding))
-        refuse(i, k, "the sum of the pressures is ", found.sum, ", reported as ", told.sum);
+      if (!(std::abs(found.sum - reported.sum) <= rounding))
+        refuse(i, k, "the sum of the pressures is ", found.sum, ", reported as ", reported.sum);
       if (by_load())
         if (const double control = load_imbalance(found.sum * system_.cell_area(), target(i, k)); !(control <= tol_))
           refuse(i, k, "kkt_control is ", control);
       // Later steps of a contact with a hardness have an indentation in their gap.
-      if ((k == 0 || !system_.capped()) && !(std::abs(told.lowest - lowest) <= 4 * epsilon * std::abs(lowest)))
-        refuse(i, k, "the lowest gap is ", lowest, ", reported as ", told.lowest);
-      if (!std::isfinite(told.lowest + told.compression)) refuse(i, k, "the approach is not finite");
+      if ((k == 0 || !system_.capped()) && !(std::abs(reported.lowest - lowest) <= 4 * epsilon * std::abs(lowest)))
+        refuse(i, k, "the lowest gap is ", lowest, ", reported as ", reported.lowest);
+      if (!std::isfinite(reported.lowest + reported.compression)) refuse(i, k, "the approach is not finite");
     }
   }
 
   bool near(std::int64_t i) const {
     for (std::int64_t k = 0; k < batch_.steps; ++k)
-      if (const rc_many_answer& told = answer(i, k); std::max(told.dual, told.complementarity) > near_tol * tol_) return true;
+      if (const rc_many_answer& reported = answer(i, k); std::max(reported.dual, reported.complementarity) > near_tol * tol_)
+        return true;
     return false;
   }
 
@@ -137,7 +139,7 @@ class Check {
   void compute_anew(std::int64_t i) {
     contact_.forget(Forgotten::surface);
     for (std::int64_t k = 0; k < batch_.steps; ++k) {
-      const rc_many_answer& told = answer(i, k);
+      const rc_many_answer& reported = answer(i, k);
       rc_step step = RC_STEP_INIT;
       step.control = batch_.control;
       step.target = target(i, k);
@@ -148,7 +150,7 @@ class Check {
       }
       Numbers found;
       try {
-        found = contact_.certify(step, {{pressures(i, k).data()}, {}}, told.compression);
+        found = contact_.certify(step, {{pressures(i, k).data()}, {}}, reported.compression);
       } catch (const Error& error) {
         refuse(i, k, error.what());
       }
@@ -156,10 +158,10 @@ class Check {
         if (!(value <= tol_ && std::abs(value - reported) <= allowed_share * tol_))
           refuse(i, k, name, " is ", value, ", reported as ", reported, ", tol is ", tol_);
       };
-      differs("kkt_dual", found.certificate.dual, told.dual);
-      differs("kkt_complementarity", found.certificate.complementarity, told.complementarity);
-      const double rounding = 8 * epsilon * std::abs(told.lowest), approach = told.lowest + told.compression;
-      if (by_load() && !(std::abs(found.approach - approach) <= allowed_share * tol_ * told.compression + rounding))
+      differs("kkt_dual", found.certificate.dual, reported.dual);
+      differs("kkt_complementarity", found.certificate.complementarity, reported.complementarity);
+      const double rounding = 8 * epsilon * std::abs(reported.lowest), approach = reported.lowest + reported.compression;
+      if (by_load() && !(std::abs(found.approach - approach) <= allowed_share * tol_ * reported.compression + rounding))
         refuse(i, k, "the approach is ", found.approach, ", reported as ", approach);
     }
   }

@@ -140,26 +140,26 @@ Numbers SharedContact::run(const rc_step& step, const Outputs& outputs, bool jud
 }
 
 rc_status SharedContact::run(const rc_history& path, std::int64_t& completed) {
-  rc_history today = path;
-  check_agreement(ranks_, facts_of(today), ranks_.rows() > 0);
-  const std::vector<char> has_mask = ranks_.of_each(static_cast<char>(today.mask != nullptr)),
-                          has_gap = ranks_.of_each(static_cast<char>(today.undeformed_gap != nullptr));
-  const HistoryWants wants = ranks_.of_each(wants_of(today)).front();
+  rc_history asked = path;
+  check_agreement(ranks_, facts_of(asked), ranks_.rows() > 0);
+  const std::vector<char> has_mask = ranks_.of_each(static_cast<char>(asked.mask != nullptr)),
+                          has_gap = ranks_.of_each(static_cast<char>(asked.undeformed_gap != nullptr));
+  const HistoryWants wants = ranks_.of_each(wants_of(asked)).front();
   if (ranks_.rows() == 0) {
-    today.undeformed_gap = has_gap.front() != 0 ? &stand_in : nullptr;
-    today.mask = has_mask.front() != 0 ? reinterpret_cast<const std::uint8_t*>(&stand_in) : nullptr;
+    asked.undeformed_gap = has_gap.front() != 0 ? &stand_in : nullptr;
+    asked.mask = has_mask.front() != 0 ? reinterpret_cast<const std::uint8_t*>(&stand_in) : nullptr;
   }
   // The caller's function gets this rank's rows; if it ends the history on one rank, all end it.
-  struct Told {
+  struct CallersFunction {
     const SharedContact& self;
     const rc_history& path;
     bool ended = false;
-  } told{*this, today};
-  rc_history inner = today;
-  if (today.fn) {
-    inner.user = &told;
+  } callers{*this, asked};
+  rc_history inner = asked;
+  if (asked.fn) {
+    inner.user = &callers;
     inner.fn = [](std::int64_t step, const rc_result* result, void* user) -> std::int32_t {
-      Told& of = *static_cast<Told*>(user);
+      CallersFunction& of = *static_cast<CallersFunction*>(user);
       rc_result rows = *result;
       if (of.self.alike_) {
         const std::int64_t before = of.self.ranks_.first_row() * of.self.columns();
@@ -179,7 +179,7 @@ rc_status SharedContact::run(const rc_history& path, std::int64_t& completed) {
     whole(inner.mask, mask);
   }
   const rc_status status = rc::solve_history(*contact_, inner, wants, completed);
-  if (alike_ && !told.ended) stop_all(status, last_message());
+  if (alike_ && !callers.ended) stop_all(status, last_message());
   return status;
 }
 

@@ -14,7 +14,7 @@ namespace rc {
 class SharedContact {
   template <class Body> auto together(const Body& body) const {
     decltype(body()) answer{};
-    ranks_.alike([&] { answer = body(); });
+    ranks_.together([&] { answer = body(); });
     return answer;
   }
 

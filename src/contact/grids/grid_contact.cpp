@@ -90,7 +90,7 @@ void GridContact::write_indentation(std::span<double> to) const {
   overlap_.add_to(to);
 }
 
-Step GridContact::begin(const rc_step& given_step) {
+Step GridContact::prepare(const rc_step& given_step) {
   problem_.company().forget_stop();
   indent();
   const Step step = step_of(given_step);
@@ -107,8 +107,8 @@ Step GridContact::begin(const rc_step& given_step) {
   return step;
 }
 
-Numbers GridContact::solve_begun(const Step& step, Monitor& monitor, const Outputs& outputs,
-                                 const std::optional<Estimate>& nearer) {
+Numbers GridContact::solve_prepared(const Step& step, Monitor& monitor, const Outputs& outputs,
+                                    const std::optional<Estimate>& nearer) {
   const Rest after(problem_);
   auto [finished, outcome] = solve_step(problem_, memory_, step, monitor, outputs, nearer);
   memory_.outcome = std::move(outcome);
@@ -124,11 +124,11 @@ Numbers GridContact::solve_begun(const Step& step, Monitor& monitor, const Outpu
 
 Numbers GridContact::certify(const rc_step& step, const Outputs& outputs, std::optional<double> compression) {
   if (!compression) check_pressures(step, outputs, problem_);
-  const Step begun = begin(step);
+  const Step prepared = prepare(step);
   const Rest after(problem_);
   const std::atomic<bool> never{false};  // a cancellation is meant for a step
   Monitor once(never, {}, 0, 1, problem_.operators().spent());
-  Finished finished = certify_given(problem_, begun, Attempt{once}, outputs, compression);
+  Finished finished = certify_given(problem_, prepared, Attempt{once}, outputs, compression);
   if (compression && problem_.goal.leaves_indentation) overlap_ = std::move(finished.overlap);
   return finished.numbers;
 }

@@ -37,10 +37,10 @@ class GridContact {
   Monitor monitor() const;  // of the step that begins
 
   // Checks the step and takes its surface; a step that is refused changes nothing.
-  Step begin(const rc_step& step);
-  // Solves a step that has begun. nearer: the estimate of a coarser grid.
-  Numbers solve_begun(const Step& step, Monitor& monitor, const Outputs& outputs,
-                      const std::optional<Estimate>& nearer = std::nullopt);
+  Step prepare(const rc_step& step);
+  // Solves a step that has prepared. nearer: the estimate of a coarser grid.
+  Numbers solve_prepared(const Step& step, Monitor& monitor, const Outputs& outputs,
+                         const std::optional<Estimate>& nearer = std::nullopt);
   // Certifies the pressures in outputs.p. compression: of a step that was solved elsewhere, if the load is prescribed; the steps
   // that follow see its indentation.
   Numbers certify(const rc_step& step, const Outputs& outputs, std::optional<double> compression = std::nullopt);

@@ -29,9 +29,9 @@ rc_step coarse_step(const rc_coarse& request, std::int32_t warm, const double* g
 }
 
 Numbers solved(GridContact& contact, const rc_step& step, const Outputs& outputs) {
-  const Step begun = contact.begin(step);
+  const Step prepared = contact.prepare(step);
   Monitor monitor = contact.monitor();
-  return contact.solve_begun(begun, monitor, outputs);
+  return contact.solve_prepared(prepared, monitor, outputs);
 }
 
 }  // namespace

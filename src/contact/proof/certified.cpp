@@ -149,8 +149,8 @@ Totals totals_of(const GridProblem& problem, const Deflected& answer, const Surv
 }
 
 // Answers, message and arrays. rate: the stiffness, if the answer has given its pressures away.
-Numbers finished(const GridProblem& problem, const Step& step, const Answer& answer, const Deflected& found, double depth,
-                 std::optional<Stiffness> rate, const Attempt& attempt, const Outputs& outputs) {
+Numbers certify_and_write(const GridProblem& problem, const Step& step, const Answer& answer, const Deflected& found,
+                          double depth, std::optional<Stiffness> rate, const Attempt& attempt, const Outputs& outputs) {
   if (!rate) rate = wanted_stiffness(problem, answer, attempt);
   std::optional<ProvenSets> proven;
   Numbers numbers = certified_numbers(problem, step, answer, found, depth, rate->value, attempt, &proven);
@@ -342,7 +342,7 @@ Finished certified_result(const GridProblem& problem, const Step& step, Answer&&
   const double without = by_load ? 0 : step.target.compression(problem.surface);
   const double depth = !answer.op ? without : stopped ? fitting_compression(problem, found) : answer.compression;
   Overlap overlap = overlap_of(problem, found, depth);
-  Numbers numbers = finished(problem, step, answer, found, depth, std::move(rate), attempt, outputs);
+  Numbers numbers = certify_and_write(problem, step, answer, found, depth, std::move(rate), attempt, outputs);
   return {numbers, std::move(found.pressures), std::move(overlap), std::move(answer.history.own), answer.choice};
 }
 
@@ -380,7 +380,7 @@ Finished certify_given(const GridProblem& problem, const Step& step, const Attem
   const double depth = !step.target.by_load() ? step.target.compression(problem.surface)
                        : compression          ? *compression
                                               : fitting_compression(problem, given);
-  Numbers numbers = finished(problem, step, answer, given, depth, std::nullopt, attempt, outputs);
+  Numbers numbers = certify_and_write(problem, step, answer, given, depth, std::nullopt, attempt, outputs);
   copy_text(numbers.solver, "none");
   return {.numbers = numbers, .overlap = overlap_of(problem, given, depth)};
 }

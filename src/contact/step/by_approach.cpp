@@ -10,7 +10,7 @@ Answer at_approach(const GridProblem& problem, const Memory& memory, const Step&
   Trial trial(problem, step, trial_below(approach, problem), depth, attempt);
   trial.bind();
   trial.start(memory, step, nearer ? &nearer->pressures : nullptr);
-  trial.follow(memory, step, !nearer);
+  trial.continue_from(memory, step, !nearer);
   trial.answer.compression = trial.answer.limit = depth;
   double unused = 0;
   trial.solve(0, solver_tol(problem) * (residual_scale(step.target, problem, depth) / depth), approach, unused);

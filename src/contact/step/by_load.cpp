@@ -138,7 +138,7 @@ Answer at_load(const GridProblem& problem, const Memory& memory, const Step& ste
     const double zero_mode = system.periodic() && !direct ? system.bounds.lambda_most : 0;
     trial.bind(zero_mode);
     trial.start(memory, from, nearer ? &*nearer : nullptr);
-    trial.follow(memory, from, !nearer);
+    trial.continue_from(memory, from, !nearer);
     nearer.reset();
     const double wanted = load / answer.units.pressure, per_load = zero_mode / static_cast<double>(system.points());
     if (direct) {

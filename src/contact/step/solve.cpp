@@ -63,8 +63,8 @@ Answer answer_of(const GridProblem& problem, const Memory& memory, const Step& s
                                : at_approach(problem, memory, step, attempt, estimate);
 }
 
-Finished finished(const GridProblem& problem, const Memory& memory, const Step& step, const Outputs& outputs,
-                  const std::optional<Estimate>& nearer, Attempt& attempt) {
+Finished solve_and_certify(const GridProblem& problem, const Memory& memory, const Step& step, const Outputs& outputs,
+                           const std::optional<Estimate>& nearer, Attempt& attempt) {
   if (!step.target.touches(problem.surface)) return certified_result(problem, step, {}, attempt, outputs);
   if (std::optional<Finished> sparse = sparse_by_rows(problem, memory, step, attempt, outputs)) return std::move(*sparse);
   Pyramid pyramid(problem);
@@ -102,7 +102,7 @@ Finished finished(const GridProblem& problem, const Memory& memory, const Step& 
 Solved solve_step(const GridProblem& problem, const Memory& memory, const Step& step, Monitor& monitor, const Outputs& outputs,
                   const std::optional<Estimate>& nearer) {
   Attempt attempt{monitor, step.warm};
-  Finished answer = finished(problem, memory, step, outputs, nearer, attempt);
+  Finished answer = solve_and_certify(problem, memory, step, outputs, nearer, attempt);
   const Choice by = answer.by;
   return {std::move(answer), {by, std::move(attempt.failed)}};
 }

@@ -60,7 +60,7 @@ void Trial::start(const Memory& memory, const Step& from, const Pressures* neare
       [&] { answer.p = memory.start(from, set_, answer.units.pressure, answer.units.cap(), nearer, problem_.team()); });
 }
 
-void Trial::follow(const Memory& memory, const Step& from, bool of_earlier) {
+void Trial::continue_from(const Memory& memory, const Step& from, bool of_earlier) {
   follows_ = true;
   if (of_earlier) answer.history = memory.history(from);
   if (problem_.options.integer(RC_OPT_STIFFNESS) != 0) answer.before = memory.earlier(from, set_);

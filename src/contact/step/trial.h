@@ -24,7 +24,7 @@ class Trial {
   void start(const Memory& memory, const Step& from, const Pressures* nearer);
   // After start(): the solver may keep what later steps start from, and the stiffness starts from how pressures have grown.
   // of_earlier: the start was made of earlier steps.
-  void follow(const Memory& memory, const Step& from, bool of_earlier);
+  void continue_from(const Memory& memory, const Step& from, bool of_earlier);
   // One run of the solver: pressures and approach d, in the step's control. load: dimensionless; tol: as SolverRun has it; datum:
   // the height [length] that u counts from.
   void solve(double load, double tol, double datum, double& d);

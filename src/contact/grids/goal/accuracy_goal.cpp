@@ -79,10 +79,10 @@ rc_status AccuracyGoal::solve_on(std::size_t k, const GridProblem& given, const 
   on_grid.warm_start = step.warm;
   grid.numbers = {};
   grid.gap.resize(with_gap ? static_cast<std::size_t>(contact.problem().system.points()) : 0);
-  const Step begun = contact.begin(on_grid);
-  if (!begun.target.touches(contact.problem().surface)) return RC_UNCERTIFIED;
+  const Step prepared = contact.prepare(on_grid);
+  if (!prepared.target.touches(contact.problem().surface)) return RC_UNCERTIFIED;
   Monitor watch = contact.monitor();
-  grid.numbers = contact.solve_begun(begun, watch, {{}, {with_gap ? grid.gap.data() : nullptr}}, estimate);
+  grid.numbers = contact.solve_prepared(prepared, watch, {{}, {with_gap ? grid.gap.data() : nullptr}}, estimate);
   return grid.numbers.status;
 }
 

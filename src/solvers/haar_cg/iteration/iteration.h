@@ -112,7 +112,7 @@ template <Machine M, class Poll> class HaarIteration {
       refresh();
       if (capped()) {
         pace_.begin_at_cap();
-        follow();
+        free_load();
       } else {
         measure_at(datum_ + now_.moment / now_.load);  // not lower(), by which w in single precision would lose its digits
       }
@@ -242,7 +242,7 @@ template <Machine M, class Poll> class HaarIteration {
   }
 
   // Some point is at the cap: from here on Newton's method moves the datum.
-  constexpr void follow() {
+  constexpr void free_load() {
     keeps_load_ = conjugate_ = prepared_ = false;
     mean_ = task_.periodic_mean;
     datum_ += mean_ * now_.load;
@@ -360,7 +360,7 @@ template <Machine M, class Poll> class HaarIteration {
       const bool rose = now_.largest / scale() > violation_;
       violation_ = now_.largest / scale();
       if (capped()) pace_.adapt(rose);
-      if (capped() && task_.by_load && keeps_load_) follow();
+      if (capped() && task_.by_load && keeps_load_) free_load();
       if (trouble)
         safeguard();
       else if (!capped())

@@ -160,7 +160,7 @@ bool NearSteps::inverse_made(std::span<const double> p) {
 
 // Gives the inverse the contact set and takes the pressure from the points that leave it, with which the gaps change. False where
 // the set changes by too much.
-bool NearSteps::follow(State& state, std::span<double> p) {
+bool NearSteps::change_set(State& state, std::span<double> p) {
   ContactInverse& inverse = *kept_.inverse;
   const double stiff = 1 / inverse.coupling(0, 0);
   std::vector<std::int64_t> joining, leaving, contact;
@@ -239,7 +239,7 @@ bool NearSteps::solve(std::span<double> p, double& d) {
       return true;
     }
     known = false;
-    if (!(state.residual < fall * before) || !follow(state, p)) break;
+    if (!(state.residual < fall * before) || !change_set(state, p)) break;
     correct(state, p);
     if (round > 0) before = state.residual;
   }

@@ -39,7 +39,7 @@ class NearSteps {
   bool know_product(std::span<const double> p, std::vector<double>& product) const;
   bool make_inverse(std::span<const double> p);
   bool inverse_made(std::span<const double> p);
-  bool follow(State& state, std::span<double> p);
+  bool change_set(State& state, std::span<double> p);
   void correct(const State& state, std::span<double> p);
 
   const Problem& problem_;
