@@ -27,4 +27,13 @@ for line in "${missing[@]}"; do
   chosen+=("$name")
 done
 echo "installing ${chosen[*]}"
+# Which libraries serve BLAS and LAPACK: name, path.
+blas_of_this_machine() { update-alternatives --get-selections | awk '$1 ~ /^lib(blas|lapack)\.so\.3-/ { print $1, $3 }'; }
+before=$(blas_of_this_machine)
 "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${chosen[@]}" >/dev/null
+# OpenBLAS is for tests alone: it starts threads in every program that it serves. Others keep the BLAS that they had.
+while read -r name path; do
+  kept=$(awk -v name="$name" '$1 == name { print $2 }' <<<"$before") library=${name%%.*}
+  [ -n "$kept" ] || kept=/usr/lib/${name#*-}/${library#lib}/$library.so.3
+  [ "$path" = "$kept" ] || [ ! -e "$kept" ] || "${as_root[@]}" update-alternatives --quiet --set "$name" "$kept"
+done < <(blas_of_this_machine)
