@@ -10,28 +10,27 @@ namespace rc {
 
 namespace {
 
-constexpr double coarse_tol = 1e-2;  // spreading the pressures to the finer grid loses further digits
-constexpr std::int64_t coarsest_side = 64;
-constexpr std::int64_t most_points = 8192 * 8192;  // of the finest level
-
 // The largest grids are halved several times at once, until little memory is needed.
 int halvings_of(const GridProblem& finer) {
+  constexpr std::int64_t largest = 8192 * 8192;  // points of the finest level
   int halvings = 1;
-  while (!finer.surface.gathered() && finer.system.points() >> (2 * halvings) > most_points) ++halvings;
+  while (!finer.surface.gathered() && finer.system.points() >> (2 * halvings) > largest) ++halvings;
   return halvings;
 }
 
 }  // namespace
 
 void Pyramid::build(const Target& target, const Monitor& monitor) {
+  constexpr double tol = 1e-2;  // spreading the pressures to the finer grid loses further digits
+  constexpr std::int64_t least_side = 64;
   if (std::exchange(built_, true)) return;
   building_ = true;
   rc_options options = coarse_options(given_.options, monitor);
-  options.set(RC_OPT_TOL, std::max(coarse_tol, given_.options.real(RC_OPT_TOL)));
+  options.set(RC_OPT_TOL, std::max(tol, given_.options.real(RC_OPT_TOL)));
   for (;;) {
     const GridProblem& finer = coarsest();
     const rc_system& system = finer.system.given;
-    if (std::min(system.nx, system.ny) < 2 * coarsest_side) break;
+    if (std::min(system.nx, system.ny) < 2 * least_side) break;
     auto level = std::make_unique<Level>(finer, options, halvings_of(finer));
     if (!target.touches(level->problem().surface)) break;
     levels_.push_back(std::move(level));

@@ -54,13 +54,13 @@ bool starts_far(const GridProblem& problem, const Memory& memory, const Step& st
   return ratio > far_load || ratio < 1 / far_load;
 }
 
-enum class Wanted {
+enum class Levels {
   while_few,  // only if contact is at few points of every level that is large enough for it
   whole       // in any case
 };
 
 // The estimate from coarser grids: solves the levels of the pyramid that are left, each from the one before.
-std::optional<Estimate> coarse_estimate(Pyramid& pyramid, const Target& target, Wanted wanted, const Attempt& attempt) {
+std::optional<Estimate> coarse_estimate(Pyramid& pyramid, const Target& target, Levels levels, const Attempt& attempt) {
   pyramid.build(target, attempt.monitor);
   const Step step{target};
   while (const Level* const level = pyramid.next()) {
@@ -72,7 +72,7 @@ std::optional<Estimate> coarse_estimate(Pyramid& pyramid, const Target& target, 
     std::optional<Answer> answer;
     if (choice && estimate && !estimate->dense) answer = solve_few(grid, {}, step, *choice, *estimate, here);
     const bool may_be_few = choice || grid.surface.gathered();
-    if (!answer && may_be_few && (wanted == Wanted::while_few || level->halvings() > 1)) {
+    if (!answer && may_be_few && (levels == Levels::while_few || level->halvings() > 1)) {
       pyramid.give_up();
       return std::nullopt;
     }
@@ -99,7 +99,7 @@ SparseContact sparse_contact(const GridProblem& problem, const Memory& memory, c
       pyramid.give_up();
       return {};
     }
-    start = coarse_estimate(pyramid, step.target, far ? Wanted::whole : Wanted::while_few, attempt);
+    start = coarse_estimate(pyramid, step.target, far ? Levels::whole : Levels::while_few, attempt);
     if (!start) return {};
     if (start->dense || passed_over) return {{}, far ? std::move(start) : std::nullopt};
   }
