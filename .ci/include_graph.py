@@ -51,7 +51,7 @@ OUTSIDE = {  # other folders: public headers they may include; besides, their ow
     'examples': PUBLIC,
     'integrations': PUBLIC,
 }
-# What a folder outside src, or the law above its interface, takes from it: headers alone, but for grid, platform, core/text.h and HAAR.
+# The files of src that folders outside src, or the law, may include: headers of grid and platform, core/text.h, and HAAR.
 # The parts of haar-cg that need no other part of the library: plugins that run its iteration on a machine of their own compile them.
 HAAR = {'solvers/problem.h', 'solvers/haar_cg/iteration/iteration.h', 'solvers/haar_cg/starts.h', 'trees/tree_inputs.h', 'trees/tree_shape.h',
         'trees/algebra.inc'}

@@ -1,4 +1,4 @@
-// What a result says beside its numbers.
+// Collects the remarks of a step.
 #pragma once
 
 #include <string>

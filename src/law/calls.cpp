@@ -28,7 +28,7 @@ const Law& valid(const rc_law* law) {
   return *law;
 }
 
-// What a call returns that made the law or read it.
+// Returns the status of a law that was made or read; a law that is not certified sets the message.
 rc_status concluded(const Law& law) {
   clear_message();
   if (law.status > 0) set_message(law.remark.c_str());

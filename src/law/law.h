@@ -46,5 +46,5 @@ void admit_chord(rc_law_node& node, const rc_law_node& next);
 
 }  // namespace rc
 
-// What callers hold.
+// The handle that callers hold.
 struct rc_law : rc::Law {};

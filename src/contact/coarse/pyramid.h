@@ -34,7 +34,7 @@ class Pyramid {
   bool climbing() const { return building_ || !levels_.empty(); }
 
  private:
-  // What the level that was solved last shows of the contact.
+  // The answer on the level that was solved last.
   struct Reached {
     Pressures pressures;  // positive ones, on that level
     double approach;      // [length]

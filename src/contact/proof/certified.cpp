@@ -88,7 +88,8 @@ bool only_unknowns_matter(const GridProblem& problem, const Answer& answer) {
          std::all_of(answer.p.begin(), answer.p.end(), [](double p) { return p >= 0; });
 }
 
-// What "auto" skipped, what the solver says, operations that the core replaced, and promises that a kernel lacks.
+// The remarks name components that "auto" skipped, the solver's own remarks, operations that the core replaced, and promises that
+// the kernel does not make.
 Remarks remarks_on(const GridProblem& problem, const Answer& answer, const Attempt& attempt) {
   Remarks remarks = attempt.skipped;
   remarks.add(answer.remarks);
