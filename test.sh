@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # ./test.sh [--quick | --full]: installs what is missing, then builds and tests. Ends with the time of each stage, the ten slowest
 # tests, and "N passed, N failed, N skipped".
-#   --quick  before each commit: gcc without benchmarks, reduced tests
-#   (none)   what CI runs: gcc, checks of source and binaries, a smoke test of other systems, address, undefined behaviour and
-#            thread sanitizers where they tell most
+#   --quick  before each commit: checks of the source, gcc without benchmarks, reduced tests
+#   (none)   what CI runs: checks of the source, gcc, checks of the binaries, a smoke test of other systems, address, undefined
+#            behaviour and thread sanitizers where they tell most
 #   --full   before a release: all sizes, measured surfaces where they are, the tests on other systems, every family under the
 #            sanitizers, clang, clang-tidy, fuzzing, mutants. Called again on the same commit, it runs only what has not passed yet.
 set -euo pipefail
@@ -97,11 +97,13 @@ fi
 rm -f build-*/ctest-*.log
 
 gcc_build() { build gcc -DRC_BUILD_BENCH=ON || failed=$((failed + 1)); }
-source_and_binaries() {
+source_checks() {
   check .ci/include_graph.py
   check .ci/platforms.py
   check .ci/constants.py
   check .ci/format.sh
+}
+binary_checks() {
   check .ci/globals.sh build-gcc
   check .ci/no_side_effects.sh build-gcc
 }
@@ -124,12 +126,13 @@ asan() {
 tsan() { OMP_THREAD_LIMIT=1 RC_TEST_QUICK=1 verify tsan "" -R 'threads|contract\.'; }
 mutants() { if build mutants; then check scripts/mutants.py build-mutants --jobs "$jobs"; else failed=$((failed + 1)); fi; }
 
+stage "checks of the source" source_checks
 if quick; then
   RC_TEST_QUICK=1 stage "gcc, reduced tests" verify gcc "-DRC_BUILD_BENCH=OFF" -LE 'slow|full'
 else
   stage "gcc: build" gcc_build
   if full; then stage "gcc: tests" run_tests gcc; else stage "gcc: tests" run_tests gcc -LE full; fi
-  stage "checks of source and binaries" source_and_binaries
+  stage "checks of the binaries" binary_checks
   stage "other systems" other_systems
   stage "clang: address and undefined behaviour sanitizers" asan
   stage "gcc: thread sanitizer" tsan
