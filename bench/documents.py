@@ -77,7 +77,12 @@ def measure_performance(remake):
         remake.once(command, *options)
     remake.run('scaling', '--sizes', '1024,2048,4096,8192,16384', '--percents', '0.04,10', '--precision', 'single', '--tol', '1e-4', *single)
     remake.run('scaling', '--sizes', '8192,16384', '--percents', '0.1,10', *single)
-    remake.run('peers', '--only', 'ours,baseline', '--sizes', '512,1024,2048', '--percents', '10', '--limit', '100')
+
+
+def measure_peers(remake):
+    remake.run('peers', *remake.quick, *remake.threads)
+    if not remake.request.quick:
+        remake.run('peers', '--only', 'ours,baseline', '--sizes', '512,1024,2048', '--percents', '10', '--limit', '100')
 
 
 def measure_paper(remake):
@@ -101,7 +106,7 @@ DOCUMENTS = {'speed-accuracy': (measure_speed_accuracy, speed_accuracy_tables.se
              'failures': (lambda remake: remake.run('failures', *remake.given('surface', remake.request.surface)), failures_tables.sections, failures_tables.pictures),
              'performance': (measure_performance, performance.sections, performance.pictures),
              'scale-out': (lambda remake: remake.run('ranks', *remake.quick), ranks_tables.sections, ranks_tables.pictures),
-             'peers': (one_question('peers'), peers_report.sections, peers_report.pictures)}
+             'peers': (measure_peers, peers_report.sections, peers_report.pictures)}
 
 
 def run(request):

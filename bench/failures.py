@@ -82,7 +82,7 @@ def greedy(atlas):
     shares = '; '.join(f'n = {row["n"]}: {100 * row["share"]:.1f} % ({100 * row["lower"]:.1f} to {100 * row["upper"]:.1f})' for row in shown)
     atlas.add('greedy', 'Example 1 of the paper: N x N cells in contact at random depths, kernel eq9',
               f'the answer overlaps in a share of draws that grows with n, {shares}; at n = 100 the deepest overlap is '
-              f'{worst["deepest_overlap"]:.2f} of the compenetration, loads are off by up to {worst["load_error"]:.1e} and pressures by up to '
+              f'{worst["deepest_overlap"]:.2f} of the penetration, loads are off by up to {worst["load_error"]:.1e} and pressures by up to '
               f'{100 * worst["pressure_error"]:.0f} % of the largest',
               'RC_UNCERTIFIED with a note that counts the overlapping points, in each of the draws; wrong answers with status RC_OK: '
               f'{sum(row["dishonest"] for row in rows)}',
@@ -101,7 +101,7 @@ def greedy(atlas):
         couplings.append(f'{kernel} {shown:+.1e}')
     atlas.add('greedy', 'why: greedy is exact for every surface if and only if H^-1 has no positive entry off its diagonal',
               f'largest such entry over the smallest on the diagonal: {", ".join(couplings)}; negative for every kernel when every second '
-              'cell is left out', 'a property of kernel and grid, tabled as "inverse"',
+              'cell is left out', 'a property of kernel and grid, in the table of H^-1',
               'galerkin and punch are exact on random surfaces only; see docs/development/paper.md')
 
 

@@ -4,29 +4,21 @@ import os
 from charts import FILTERS, Panels, axes, style, ticks
 from samples import chosen, groups, mean_of, values_of
 from json_tables import load
-from tables import error, provenance, records, table
+from tables import provenance, records, table
 
 ATLAS = 'method={row}; trigger; what happens={happens}; detected as={detected}; what the library does={library}'
 CMR = ('surface; sub-sampled [%]={subsample:%.2f}; mean [%]={mean:%.2f}; max [%]={max:%.2f}; unresolved={unresolved:.2f}; trustworthy; '
        'certified={certified:err}; rounds; candidates kept [%]={kept:%.0f}')
 
 
-def percent(value):
-    return f'{100 * value:.2g}' if 0 < abs(value) < 0.1 else f'{100 * value:.0f}'
-
-
-def by_points(rows, cell, last=None):
-    """A line for each kernel and spacing, a column for each number of points, and one more, (title, of a line's rows)."""
-    sizes, lines = values_of(chosen(rows, spacing=1), 'n'), []
-    for (kernel, spacing), line in groups(rows, 'kernel', 'spacing').items():
-        found = {row['n']: cell(row) for row in line}
-        lines.append([kernel, str(spacing), *(found.get(n, '') for n in sizes), *([last[1](line)] if last else [])])
-    return table(['kernel', 'spacing', *(f'n = {n}{" [%]" if last else ""}' for n in sizes), *([last[0]] if last else [])], lines)
-
-
-def greedy_table(rows):
-    return by_points(rows, lambda row: f'{percent(row["share"])} ({percent(row["lower"])} to {percent(row["upper"])})',
-                     ('largest error of p [%]', lambda line: percent(max([r['pressure_error'] for r in line if r['failures']], default=0))))
+def inverse_table(rows):
+    """A line for each kernel, a column for each number of points, cells side by side."""
+    beside, lines = chosen(rows, spacing=1), []
+    sizes = values_of(beside, 'n')
+    for (kernel,), line in groups(beside, 'kernel').items():
+        found = {row['n']: f'{row["coupling"]:+.1e}' for row in line}
+        lines.append([kernel, *(found[n] for n in sizes)])
+    return table(['kernel', *(f'n = {n}' for n in sizes)], lines)
 
 
 def cmr_table(rows):
@@ -41,8 +33,8 @@ def cmr_table(rows):
 
 def sections(results):
     data = load(results, 'failures')
-    return {'provenance': provenance(data), 'atlas': records(ATLAS, data['atlas']), 'greedy': greedy_table(data['greedy']),
-            'inverse': by_points(data['inverse'], lambda row: f'{row["coupling"]:+.1e}'), 'cmr': cmr_table(data['cmr'])}
+    return {'provenance': provenance(data), 'atlas': records(ATLAS, [row for row in data['atlas'] if row['row'] != 'cmr']),
+            'inverse': inverse_table(data['inverse']), 'cmr': cmr_table(data['cmr'])}
 
 
 def pictures(results, images):

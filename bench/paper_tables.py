@@ -1,7 +1,5 @@
 """Rows of paper.json, the claims of Bemporad & Paggi (2015) beside what they say, and the tables of docs/development/paper.md. What has
 not been measured is named with the command that does."""
-import math
-
 from samples import chosen, groups, median, median_interval, ratios, rows_of, values_of
 from json_tables import load
 from tables import error, missing, provenance, records, table
@@ -166,31 +164,14 @@ CLAIMS = (
 # Shares of wrong answers by an independent program, with half of their 95 % intervals [%].
 INDEPENDENT = {25: (17.1, 2.3), 100: (35.9, 3.0), 400: (63.1, 3.0), 900: (85.0, 3.5)}
 SETTINGS = {'small': 'dense, eq9', 'small, love': 'dense, love', 'dense': 'dense, eq9', 'fft': 'FFT, eq9'}
-EXAMPLE_1 = ('kernel; spacing; n; draws; wrong [%]={share:%.1f} ({lower:%.1f} to {upper:%.1f}); independent program [%]={independent}; '
+EXAMPLE_1 = ('n; draws; wrong [%]={share:%.1f} ({lower:%.1f} to {upper:%.1f}); independent program [%]={independent}; '
              'the paper={paper}; largest error of p [% of max p]={worst:%.0f}; largest error of the load={load:err}')
 ALGORITHM_2 = ('kernel; Algorithm 2={variant}; iterations to 1e-8={reached}; least residual={residual:err}; stops by its own test after={stop}; '
                'tension left [of max p]={tension}')
-SPECTRA = ('surface; origin; points={nx} x {ny}; pixel={hx:.3g} nm; rms height={rms_height:.3g} nm; Hurst exponent={law}; power law from={within}; '
-           'roll-off={roll_off}; cut-off={cut_off}; textures')
 
 
 def unmeasured(figure):
     return missing(f'roughcontact-bench documents paper --figures {figure}')
-
-
-def number(value):
-    return '0' if value == 0 else f'{value:.2g}' if abs(value) < 10 else f'{value:.0f}'
-
-
-def interval(values, scale=1, form='{:.0f}'.format):
-    if not values:
-        return ''
-    middle, low, high = (scale * value for value in median_interval(values))
-    return f'{form(middle)} ({form(low)} to {form(high)})' if len(values) > 1 else form(middle)
-
-
-def intervals(rows, key, form=number):
-    return interval([row[key] for row in rows], form=form)
 
 
 def provenance_text(document):
@@ -203,12 +184,12 @@ def provenance_text(document):
 
 
 def example_1_table(found):
+    """The kernel and the spacing that fail; the claims count the others."""
     lines = []
-    for row in found:
-        known = row['kernel'] == 'eq9' and row['spacing'] == 1 and row['n'] in INDEPENDENT
-        paper = 'about 40 of 100' if known and row['n'] == 100 else 'at any n' if known else 'none' if row['spacing'] == 2 else ''
+    for row in chosen(found, kernel='eq9', spacing=1):
+        independent = '{} ± {}'.format(*INDEPENDENT[row['n']]) if row['n'] in INDEPENDENT else ''
         wrong = {'worst': row['pressure_error'], 'load': row['load_error']} if row['failures'] else {}
-        lines.append({**row, 'independent': '{} ± {}'.format(*INDEPENDENT[row['n']]) if known else '', 'paper': paper, **wrong})
+        lines.append({**row, 'independent': independent, 'paper': 'about 40 of 100' if row['n'] == 100 else 'at any n', **wrong})
     return records(EXAMPLE_1, lines)
 
 
@@ -227,35 +208,15 @@ def figure_2_text(found):
             f'{100 * (sum(row["greedy"]) / sum(row["exact"]) - 1):+.2g} %.')
 
 
-def marked(found):
-    """`*` for answers that are not certified, `†` for histories that ran out of time."""
-    statuses = {row['status'] for row in found}
-    return ('†' if 'RC_STOP_TIME' in statuses else '') + ('*' if statuses - {'RC_OK', 'RC_STOP_TIME'} else '')
-
-
-def figure_4_tables(found):
-    settings = {name: same for name in SETTINGS if (same := chosen(found, setting=name))}
-    titles, steps = ['method'], []
-    for name, same in settings.items():
-        titles.append(f'{same[0]["points_a_side"]}² {SETTINGS[name]}')
-        fitting, surfaces = values_of(same, 'steps_of_ten'), len(values_of(same, 'seed'))
-        largest = max(r['largest'] for r in same)
-        steps.append(f'{titles[-1]}: {surfaces} surface{"s" if surfaces > 1 else ""}, '
-                     f'{fitting[0]}{" to " + str(fitting[-1]) if len(fitting) > 1 else ""} steps, n up to {largest}')
-
-    def by_method(cell):
-        """A line a method, cell(its rows, those of the paper's best) in each setting."""
-        lines = []
-        for method in METHODS:
-            both = [(chosen(same, method=method), chosen(same, method=BEST_OF_PAPER)) for same in settings.values()]
-            lines.append([method, *(cell(*each) + marked(each[0]) if each[0] else '' for each in both)])
-        return table(titles, lines)
-
-    return (f'{"; ".join(steps)}.\n\nCPU time of the history [s]:\n\n{by_method(lambda mine, _: intervals(mine, "cpu_seconds"))}\n\n'
-            f'CPU time divided by that of {BEST_OF_PAPER}:\n\n{by_method(lambda mine, best: interval(ratios(mine, best), form=number))}\n\n'
-            f'Products with H:\n\n{by_method(lambda mine, _: interval([r["products"] for r in mine]))}\n\n'
-            '`*`: not every step is certified (greedy elimination with kernel `eq9`: its answers overlap). '
-            '`†`: a step took more than 60 s, and the history ended there.')
+def figure_4_text(found):
+    """The cases of the picture."""
+    cases = []
+    for name, words in SETTINGS.items():
+        if same := chosen(found, setting=name):
+            fitting, surfaces = values_of(same, 'steps_of_ten'), len(values_of(same, 'seed'))
+            cases.append(f'{same[0]["points_a_side"]}² {words}: {surfaces} surface{"s" if surfaces > 1 else ""}, '
+                         f'{fitting[0]}{" to " + str(fitting[-1]) if len(fitting) > 1 else ""} steps, n up to {max(r["largest"] for r in same)}')
+    return '; '.join(cases) + '.'
 
 
 def algorithm_2_table(found):
@@ -264,91 +225,22 @@ def algorithm_2_table(found):
         'tension': f'{-row["lowest_pressure"]:.0%}' if row['lowest_pressure'] < 0 else 'none'} for row in found])
 
 
-def figure_5_table(found):
-    lines = []
-    for n in values_of(found, 'n'):
-        mine = {inner: chosen(found, n=n, inner=inner) for inner in ('cg', 'cholesky', 'gauss-seidel')}
-        cg, cholesky, sweeps = mine.values()
-        bare = [{**r, 'cpu_seconds': r['cpu_seconds'] - r['storing_seconds']} for r in sweeps]
-        lines.append([str(n), *(intervals(same, 'cpu_seconds') for same in mine.values()), interval(ratios(cholesky, cg), form=number),
-                      interval(ratios(bare, cg), form=number), interval([r['iterations'] for r in cg]),
-                      interval(ratios(sweeps, cg, 'iterations'), form=number)])
-    return table(['n', 'conjugate gradients [s]', 'Cholesky [s]', 'Gauss-Seidel [s]', 'Cholesky / CG', 'Gauss-Seidel / CG, storing not counted',
-                  'CG iterations', 'sweeps / CG iterations'], lines)
-
-
-def figure_6_table(found):
-    lines = []
-    for count in values_of(found, 'projections'):
-        both = [chosen(found, projections=count, pivoting=pivoting) for pivoting in ('single', 'block')]
-        lines.append([str(count), *(cell for same in both for cell in (interval([r['solves'] for r in same]), intervals(same, 'cpu_seconds')))])
-    return table(['K', 'linear solves, one exchange each', 'CPU [s]', 'linear solves, blocks', 'CPU [s]'], lines)
-
-
-def loss(values):
-    return interval(values, 100, form='{:.2g}'.format) + f', {100 * min(values):.2g}'
-
-
-def share(rows, key):
-    return interval([r[key] / r['whole_cpu_seconds'] for r in rows], form=number)
-
-
-def figure_8_table(found):
-    lines = []
-    for h in values_of(found, 'hurst'):
-        same = chosen(found, hurst=h)
-        fft, love, dense = chosen(same, backend='fft', kernel='eq9'), chosen(same, kernel='love'), chosen(same, backend='dense')
-        losses = [r['load_error'] for r in fft], [r['load_error'] for r in love], [r['diagonal']['load_error'] for r in fft]
-        lines.append([f'{h:g}', *map(loss, losses), intervals(fft, 'kept'), share(dense, 'cpu_seconds'), share(fft, 'cpu_seconds'),
-                      share(dense, 'certified_cpu_seconds'), share(fft, 'certified_cpu_seconds'),
-                      error(max(abs(r['certified_error']) for r in fft + love + dense))])
-    return table(['H', 'load error [%], worst', '`love` [%], worst', 'radius h √2 δ [%], worst', 'n_p / n', 'time, dense', 'time, FFT',
-                  'certified, dense', 'certified, FFT', 'certified: largest error'], lines)
-
-
-def figure_9_table(found):
-    lines = []
-    for i, first in enumerate(found[0]['radii']):
-        fft, dense = ([{**r, **r['radii'][i]} for r in chosen(found, backend=name)] for name in ('fft', 'dense'))
-        lines.append([f'{first["h"]:g}', loss([r['load_error'] for r in fft]), intervals(fft, 'kept'), share(dense, 'cpu_seconds'),
-                      share(fft, 'cpu_seconds'), share(dense, 'certified_cpu_seconds')])
-    return table(['h', 'load error [%], worst', 'n_p / n', 'time, dense', 'time, FFT', 'certified, dense'], lines)
-
-
-def wavelength(q):
-    if not q:
-        return 'none seen'
-    metres = 2 * math.pi / q
-    return f'{1e9 * metres:.3g} nm' if metres < 1e-6 else f'{1e6 * metres:.3g} µm'
-
-
-def figure_10_tables(found):
-    spectra = [{**row, 'hx': 1e9 * row['hx'], 'rms_height': 1e9 * row['rms_height'],
-                'law': '{hurst:.2f} ± {hurst_error:.2f}'.format(**row) if row['hurst'] is not None else 'no power law',
-                'within': f'{wavelength(row["q_max"])} to {wavelength(row["q_min"])}' if row['q_min'] else '',
-                'roll_off': wavelength(row['q_rolloff']), 'cut_off': wavelength(row['q_cutoff'])} for row in found]
+def figure_10_table(found):
     losses = []
     for row in found:
         for (part,), cases in groups(row['cases'], 'part').items():
             first = cases[0]
-            losses.append([row['surface'], f'(max - mean)/{part:g}', f'{first["contacts"]} of {first["candidates"]}', str(first['halvings'] + 1),
-                           *(f'{100 * case["load_error"]:.2g}' for case in cases), ', '.join(f'{case["kept"]:.2f}' for case in cases),
-                           ', '.join(f'{case["cpu_seconds"] / case["whole_cpu_seconds"]:.1f}' for case in cases),
-                           f'{first["unresolved"]:.2f}, {"yes" if first["trustworthy"] else "no"}',
-                           error(max(abs(case['certified_error']) for case in cases))])
+            losses.append([row['surface'], f'(max - mean)/{part:g}', f'{first["contacts"]} of {first["candidates"]}',
+                           *(f'{100 * case["load_error"]:.2g}' for case in cases), f'{first["unresolved"]:.2f}, {"yes" if first["trustworthy"] else "no"}'])
     kinds = [case['filter'] for case in found[0]['cases'][:3]]
-    cascades = table(['surface', 'approach', 'contacts of candidates', 'grids', *(f'load error, {kind} [%]' for kind in kinds), 'n_p / n',
-                      'CPU time / whole', 'unresolved, trusted', 'certified: largest error'], losses)
+    cascades = table(['surface', 'approach', 'contacts of candidates', *(f'load error, {kind} [%]' for kind in kinds), 'unresolved, trusted'], losses)
     alone = '' if chosen(found, origin='measured') else '\n\nMeasured surfaces were not at hand: generated ones alone.'
-    return f'{records(SPECTRA, spectra)}\n\n{cascades}{alone}'
+    return cascades + alone
 
 
 SECTIONS = {  # rows, figure, text
-    'example-1': ('example_1', 2, example_1_table), 'figure-2': ('figure_2', 2, figure_2_text),
-    'smooth': ('smooth', 2, lambda found: records('shape; kernel; draws; wrong={failures}; load against Hertz={load_error:%+.2g} %', found)),
-    'figure-4': ('figure_4', 4, figure_4_tables), 'algorithm-2': ('algorithm_2', 4, algorithm_2_table),
-    'figure-5': ('figure_5', 5, figure_5_table), 'figure-6': ('figure_6', 6, figure_6_table), 'figure-8': ('figure_8', 8, figure_8_table),
-    'figure-9': ('figure_9', 9, figure_9_table), 'figure-10': ('figure_10', 10, figure_10_tables)}
+    'example-1': ('example_1', 2, example_1_table), 'figure-2': ('figure_2', 2, figure_2_text), 'figure-4': ('figure_4', 4, figure_4_text),
+    'algorithm-2': ('algorithm_2', 4, algorithm_2_table), 'figure-10': ('figure_10', 10, figure_10_table)}
 
 
 def sections(results):

@@ -1,4 +1,4 @@
-"""Side by side: roughcontact, the field's standard method and the peers on the same surfaces, every answer judged by roughcontact's
+"""Side by side: roughcontact, the textbook method and the peers on the same surfaces, every answer judged by roughcontact's
 certificate."""
 import argparse
 import json
@@ -291,7 +291,7 @@ def code_names(text):
     return names
 
 
-question('peers', 'side by side with the standard method and other codes', run, {
+question('peers', 'side by side with the textbook method and other codes', run, {
     'only': (code_names, [], 'codes; a first word takes its variants: ' + ', '.join(CODES)),
     'sizes': (listed(int), [], f'points a side; up to {LARGEST_MATRIX} points in all: the dense codes'),
     'percents': (listed(float), [], 'contact areas'), 'threads': (int, 2, 'threads'),

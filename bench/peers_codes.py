@@ -42,7 +42,7 @@ BOTH, EITHER = ('free', 'periodic'), ('load', 'approach')
 CODES = {
     'ours': Code('roughcontact', 'ours', '', 'lc rgb "#000000" dt 1 pt 7', BOTH, EITHER, (1e-4, 1e-6, 1e-8)),
     'ours-float': Code('roughcontact, single', 'ours', '', 'lc rgb "#000000" dt 2 pt 6', tols=(1e-4,), options={'fft.precision': 'single'}),
-    'baseline': Code('standard Polonsky-Keer, padded FFTW', 'baseline', '', 'lc rgb "#777777" dt 1 pt 5', controls=EITHER, tols=(1e-8,)),
+    'baseline': Code('textbook Polonsky-Keer, padded FFTW', 'baseline', '', 'lc rgb "#777777" dt 1 pt 5', controls=EITHER, tols=(1e-8,)),
     'aspher-fft': of_aspher('fft, double', 'lc rgb "#D55E00" dt 1 pt 9', 'fft'),
     'aspher-h2': of_aspher('h2, double', 'lc rgb "#D55E00" dt (8,4) pt 11', 'h2', active_set=True),
     'aspher-fft-float': of_aspher('fft, float', 'lc rgb "#E69F00" dt 1 pt 8', 'fft', 'float'),
@@ -326,7 +326,7 @@ def run_code(family, request):
 
 
 def run_baseline(request, levels=LEVELS):
-    """The standard method gives the pressures at which each level of the residual was first met."""
+    """The textbook method gives the pressures at which each level of the residual was first met."""
     gap, reached = np.load(request['gap']), []
     forget_peak()
     # The caller's gap is there already; every code's memory counts it.

@@ -1,10 +1,12 @@
 """Tables and pictures of docs/development/peers.md, from peers.json, and the lines that a run prints."""
 import collections
+import math
 import os
+from statistics import median_low
 
 from charts import Panels, axes, decades, ticks
 from peers_codes import CODES, LEVELS
-from samples import chosen, rows_of, total_seconds as total
+from samples import chosen, groups, rows_of, total_seconds as total
 from json_tables import load
 from tables import aligned, error, seconds, table
 
@@ -72,9 +74,44 @@ def codes_table(document):
     return table(['code', 'version', 'error of the largest Hertz pressure', 'not run'], rows)
 
 
+def family(document, name):
+    """A code's name without that of the variant."""
+    return document['codes'][name]['title'].partition(',')[0]
+
+
+def medians_table(document):
+    """Over the cases of each boundary: the time of a code's fastest variant over ours, infinite if none was certified in time."""
+    rows = []
+    for boundary in ('free', 'periodic'):
+        for level in SHOWN:
+            ratios = collections.defaultdict(list)
+            for (key,), found in groups(document['groups'], 'case').items():
+                mine = best(chosen(found, code='ours')[0], level) if document['cases'][key]['boundary'] == boundary else None
+                for (name,), variants in groups([{**group, 'family': family(document, group['code'])} for group in found], 'family').items():
+                    if mine and name != family(document, 'ours'):
+                        runs = [run for group in variants if (run := best(group, level))]
+                        ratios[name].append(min((total(run) / total(mine) for run in runs), default=math.inf))
+            for name, values in ratios.items():
+                met, middle = [value for value in values if value < math.inf], median_low(values)
+                rows.append([boundary, error(level), name, str(len(values)), seconds(middle) if middle < math.inf else 'over the limit',
+                             f'{seconds(min(met))} to {seconds(max(met))}' if met else '', str(len(values) - len(met))])
+    return table(['edges', 'certified to', 'code', 'cases', 'times ours, median', 'range', 'not in time'], rows)
+
+
 def cases_tables(document):
-    return '\n\n'.join(f'**{case["title"]}**, contact {100 * case["area"]:.3g} % (surface by {case["maker"]})\n\n' + table(TITLES, rows)
-                       for key, case in document['cases'].items() if (rows := lines(document, key)))
+    """For each boundary a line a case: seconds to both levels of SHOWN."""
+    tables = []
+    for boundary in ('free', 'periodic'):
+        cases = {key: case for key, case in document['cases'].items() if case['boundary'] == boundary}
+        found = {(group['case'], group['code']): group for group in document['groups'] if group['case'] in cases}
+        names = [name for name in document['codes'] if any(code == name for _, code in found)]
+        rows = [[f'{case["n"]}²', f'{100 * case["area"]:.2g}', case['control'],
+                 *(' / '.join(time_cell(found[key, name], level).replace('not reached', '-') for level in SHOWN) if (key, name) in found else ''
+                   for name in names)]
+                for key, case in sorted(cases.items(), key=lambda item: (item[1]['n'], item[1]['area'], item[1]['control']))]
+        tables.append(f'**{boundary.capitalize()} edges**\n\n' +
+                      table(['grid', 'contact [%]', 'control', *(document['codes'][name]['title'] for name in names)], rows))
+    return '\n\n'.join(tables)
 
 
 def provenance_text(document):
@@ -84,7 +121,7 @@ def provenance_text(document):
 
 def sections(results):
     document = load(results, 'peers')
-    return {'provenance': provenance_text(document), 'codes': codes_table(document), 'cases': cases_tables(document)}
+    return {'provenance': provenance_text(document), 'codes': codes_table(document), 'medians': medians_table(document), 'cases': cases_tables(document)}
 
 
 def look(name):

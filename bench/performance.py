@@ -5,40 +5,22 @@ import os
 import histories
 import mapped
 from charts import OPEN_MARKERS, PROPORTIONAL, Panels, decades, style
-from peers_report import best, growth as memory_growth, total
 from products import PADDED
-from samples import groups, total_seconds
-from scaling import COLUMNS, GROWTH, certified_rows, growth_of
+from samples import chosen, groups, total_seconds
+from scaling import GROWTH, certified_rows, growth_of
 from json_tables import load
-from tables import error, missing, provenance, records, seconds, table
+from tables import missing, provenance, records
 
 BENCH = 'roughcontact-bench '
-LEVELS = (1e-8, 1e-6, 1e-4)
-
-
-def baseline_table(document):
-    """Times at the tightest level that we met and that the standard method met, or was stopped before without an answer; by size and contact."""
-    codes = {name: {group['case']: group for group in same} for (name,), same in groups(document['groups'], 'code').items()} if document else {}
-    rows = []
-    for key, theirs in codes.get('baseline', {}).items():
-        case, mine = document['cases'][key], codes.get('ours', {}).get(key)
-        stopped = 'limit' in theirs['stopped']
-        level = next((level for level in LEVELS if mine and case['surface'] == 'rough' and best(mine, level) and (best(theirs, level) or stopped)), None)
-        if not level:
-            continue
-        ours, other = best(mine, level), best(theirs, level)
-        more, spent = ('', total(other)) if other else ('> ', theirs['limit'])
-        memory = f'{memory_growth(ours) / memory_growth(other):.2f}' if other else ''
-        rows.append((case['n'], case['percent'], case['control'], [error(level), seconds(total(ours)), more + seconds(spent),
-                                                                  f'{more}{spent / total(ours):.1f}', memory]))
-    titles = ['grid', 'contact [%]', 'control', 'level', 'roughcontact [s]', 'standard method [s]', 'ratio', 'memory ratio']
-    return rows and table(titles, [[f'{n}²', f'{percent:g}', control, *cells] for n, percent, control, cells in sorted(rows)])
+SCALING = ('grid={n}²{mark}; contact [%]={area_found:%.3g}; solver, backend={solver}, {backend}; set-up [s]={setup_seconds:s}; '
+           'solve [s]={solve_seconds:s}; CPU [s]={cpu_seconds:s}; products; bytes/point={bytes_per_point:.0f}; in all={bytes_per_point_in_all:.0f}')
 
 
 def scaling_table(document, rows):
+    """By load; the results have both controls and more columns."""
     newest = document['provenance'].get('library')
-    rows = [{**row, 'mark': '' if row.get('library') == newest else '*'} for row in rows]
-    return records(COLUMNS, rows) + ('\n\n`*`: measured with another build than the last run.' if any(row['mark'] for row in rows) else '')
+    rows = [{**row, 'mark': '' if row.get('library') == newest else '*'} for row in chosen(rows, control='load')]
+    return records(SCALING, rows) + ('\n\n`*`: measured with another build than the last run.' if any(row['mark'] for row in rows) else '')
 
 
 def single_table(document):
@@ -47,7 +29,6 @@ def single_table(document):
 
 
 SECTIONS = {  # results, a table of them, the options that measure it
-    'baseline': ('peers', baseline_table, ' --only ours,baseline'),
     'batch': ('batch', lambda d: f'{records(histories.BATCH, d["batch"])}\n\nAll threads are {d["scaling"]:.2f} times as fast as one.', ''),
     'scaling': ('scaling', lambda d: scaling_table(d, certified_rows(d)) + '\n\n' + provenance(d), ''),
     'scaling-single': ('scaling', single_table, ' --precision single --tol 1e-4 --sizes 4096,8192,16384 --percents 0.04,10'),

@@ -219,8 +219,8 @@ def pick_list(document):
     pick('**`haar-cg` on `fft`**, which `auto` chooses on such grids: to 1e-10 in the pressures it took {median} times as long as the '
          'fastest method in the median of {n} contacts, {most} times at worst.', slower(document, FAST, 1e-10)[0])
     picks.append(dense_pick(document))
-    pick('**`polonsky-keer` on `fft` is the standard method.** To 1e-2 in the pressures it took {median} times the time of `haar-cg`, '
-         '{least} to {most}, in {n} contacts;', against(document, 'polonsky-keer, fft', FAST, 1e-2))
+    pick('**`polonsky-keer` on `fft` is our form of the textbook method (Polonsky & Keer 1999).** To 1e-2 in the pressures it took '
+         '{median} times the time of `haar-cg`, {least} to {most}, in {n} contacts;', against(document, 'polonsky-keer, fft', FAST, 1e-2))
     if picks and picks[-1] and picks[-1].endswith(';'):
         tight = against(document, 'polonsky-keer, fft', FAST, 1e-8)
         picks[-1] += f' to 1e-8, {times(median(tight))}, {times(min(tight))} to {times(max(tight))}.' if tight else ''

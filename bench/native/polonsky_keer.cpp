@@ -1,4 +1,4 @@
-// The field's standard method as it was published: I. A. Polonsky, L. M. Keer, "A numerical method for solving rough contact
+// The textbook method as it was published: I. A. Polonsky, L. M. Keer, "A numerical method for solving rough contact
 // problems based on the multi-level multi-summation and conjugate gradient techniques", Wear 231 (1999) 206-219, section 3.2,
 // with two products an iteration, here by a padded transform.
 #include <cmath>
@@ -28,7 +28,7 @@ double residual_of(const std::vector<double>& p, const std::vector<double>& g, c
 
 extern "C" {
 
-// The standard method on n x n cells of the unit square, contact modulus 1, for at most `most` iterations. After each product
+// The textbook method on n x n cells of the unit square, contact modulus 1, for at most `most` iterations. After each product
 // with p, while the clock stands still, look(products, p, residual, seconds of the iterations) says whether to go on: the
 // stopping test is the caller's and costs this method nothing. wisdom: file of FFTW's plans, kept from run to run. times: seconds
 // of set-up, and of planning as a part of it.

@@ -1,5 +1,5 @@
 // Runs the table of bad input: the documented status, a message that says what is wrong, nothing written, nothing printed.
-// With --document, prints the table and the list of statuses as docs/development/errors.md shows them.
+// With --document, prints the table and the list of statuses of which docs/development/errors.md shows the messages.
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
