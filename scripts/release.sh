@@ -21,7 +21,7 @@ tested() {
   grep -s "^$(git rev-parse 'HEAD^{tree}') .* 0 failed" build-gcc/full-test | cut -d ' ' -f 2- | grep . ||
     { echo "./test.sh --full has not passed in this folder on this commit"; return 1; }
 }
-words() { [ "$(wc -w <paper/paper.md)" -le 1000 ] || { wc -w paper/paper.md; return 1; }; }
+words() { local n; n=$(sed '1,/^# Summary$/d' paper/paper.md | wc -w); [ "$n" -ge 750 ] && [ "$n" -le 1750 ] || { echo "$n words"; return 1; }; }
 tools() {
   local tool missing=''
   for tool in doxygen dpkg-buildflags dpkg-deb pandoc pdflatex; do command -v $tool >/dev/null || missing+=" $tool"; done
