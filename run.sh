@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # ./run.sh [SURFACE] [OPTIONS of roughcontact solve] [--page]
 #
-# Installs what is missing, builds the command, and presses SURFACE against a flat. Without SURFACE: a rubber seal on lapped steel.
+# Installs what is missing, builds the command, and presses SURFACE against a flat. Without SURFACE: a rubber seal on lapped steel, a
+# generated map, without adhesion, which would add some contact (docs/how-to/limits.md).
 #
 # What OPTIONS leave out has a default: E* = 100 GPa (seal: E = 10 MPa, nu = 0.5); the mean pressures 50 MPa, 500 MPa and 2 GPa
 # (seal: 20, 50 and 100 kPa); --remove plane; heights and pitch in micrometres and a pitch of 1, if the file cannot say them;
@@ -141,7 +142,7 @@ else
   echo "For an HTML report: the same with --page"
 fi
 if [ $demo = yes ] && [ $status = 0 ]; then
-  echo "How much of a rubber seal (E = 10 MPa) touches lapped steel (rms height 0.44 um)?"
+  echo "How much of a rubber seal (E = 10 MPa) touches lapped steel (rms height 0.45 um)? Adhesion, which would add some, is left out:"
   awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) { name = $i; sub(/ \[.*/, "", name); at[name] = i } }
     NR > 1 { answer = answer (NR > 2 ? ", " : "") sprintf("%.3g %% under %g kPa", 100 * $at["area_fraction"], $at["mean_pressure"] / 1000)
       largest = $at["max_pressure"] / 1e6 }

@@ -37,7 +37,6 @@ CURVE = ('p / (E* slope)={pressure:g}; A/A0 [%]={area:%.2f}; corrected [%]={corr
          'largest [% of the contact]={largest_patch:%.0f}')
 MESHES = ('p / (E* slope)={pressure:g}; grid={n}²; cells in the shortest wave={cells_a_wave:g}; A/A0 [%]={area:%.3f}; '
           'corrected [%]={corrected_area:%.3f}; error [%]={raw_error:%+.2f}; corrected, error [%]={corrected_error:%+.2f}')
-TABLED = (0.02, 0.1, 0.5, 0.9)  # of SHARES, on the page
 HARD = ('hardness / (E* slope)={hardness:g}; p / hardness={share:g}; A/A0 [%]={area:%.2f}; Persson [%]={persson:%.2f}; over p / hardness={excess:.3f}; '
         'at the hardness [% of the contact]={capped:%.1f}; Persson [%]={persson_capped:%.1f}; indentation / rms={indentation:.3f}; products={products:.0f}')
 
@@ -310,7 +309,7 @@ def fit_table(document):
 def sections(results):
     document = load(results, 'physics')
     return {'fits': fit_table(document), 'curve': records(CURVE, document['curve']), 'meshes': records(MESHES, document['meshes']),
-            'hard': records(HARD, [row for row in document['hard'] if row['share'] in TABLED]), 'provenance': provenance(document)}
+            'provenance': provenance(document)}
 
 
 def pictures(results, images):

@@ -41,7 +41,6 @@ CONTENTS = """
 ../README
 install
 tutorial
-how-to/eleven-tasks
 gallery
 ../examples/README
 ```
@@ -56,10 +55,8 @@ how-to/free-or-periodic
 how-to/modulus-and-units
 how-to/conductance
 how-to/seals
-how-to/many-surfaces
 how-to/campaigns
 how-to/limits
-how-to/grid
 how-to/tolerance
 physics
 how-to/cite
@@ -104,7 +101,6 @@ options
 glossary
 certificate
 troubleshooting
-how-to/uninstall
 ../CHANGELOG
 ```
 

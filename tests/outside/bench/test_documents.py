@@ -190,7 +190,7 @@ def physics(folder):
     assert again and all('measured before' in line for line in again), again
     second = load(folder, 'physics')
     assert all(second[key] == first[key] for key in ('rows', 'capped', 'curve', 'fits', 'meshes', 'hard'))
-    assert set(filled) == {'fits', 'curve', 'meshes', 'hard', 'provenance'}, filled.keys()
+    assert set(filled) == {'fits', 'curve', 'meshes', 'provenance'}, filled.keys()
     assert filled['curve'].count('\n') == 2 + 11 and filled['meshes'].count('\n') == 2 + 6, filled
     assert f'{first["fits"]["corrected_kappa"]["mean"]:.2f} (' in filled['fits'], filled['fits']
     check_pictures(folder, *(f'physics-{name}' for name in ('area', 'gap', 'patches', 'mesh', 'hardness')))

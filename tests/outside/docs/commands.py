@@ -3,7 +3,7 @@
 Usage: commands.py BUILD [--full] [PAGE...]
 
 The blocks of a page run one after another in one shell, in a folder that has the page's own files, copies of examples/ and
-integrations/ and the map `surface.gsf`, made by the command of how-to/eleven-tasks.md. A block after "`NAME`:" is written to that
+integrations/ and the map `surface.gsf`, made by the command of how-to/file-to-report.md. A block after "`NAME`:" is written to that
 file before. The next block of the page, if it is `text`, is what the commands print; ... in it stands for any text. A comment on the
 line before a block says where that is not so:
 
@@ -26,7 +26,7 @@ import tempfile
 
 import pages
 
-MAP = pages.SOURCE / 'docs/how-to/eleven-tasks.md'
+MAP = pages.SOURCE / 'docs/how-to/file-to-report.md'
 MARK = '-- block %d of the page ends --'
 PROGRAMS = r'(roughcontact|roughcontact-bench|build/bin/\S+|cmake|ctest|cc|gfortran|pip|python3?|make|sudo|\S+\.sh|scripts/\S+)'
 

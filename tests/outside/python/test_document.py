@@ -39,7 +39,7 @@ def test_the_first_program_of_the_readme_runs_as_printed(tmp_path):
 def test_other_examples_run_one_after_another(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     names = {}
-    for block in blocks():
+    for block in blocks() + blocks(DOCUMENT.with_name("how-to") / "many-machines.md"):
         if "matplotlib" in block:
             pytest.importorskip("matplotlib").use("agg")
         exec(compile(block, str(DOCUMENT), "exec"), names)
