@@ -70,7 +70,7 @@ macro(rc_package package)
 endmacro()
 
 set(rc_about "roughcontact solves the normal contact of rough surfaces on an elastic"
-  "half-space and certifies every answer by a check of its own.")
+  "half-space and checks answers by a product of its own.")
 
 rc_package(libroughcontact0 COMPONENTS runtime SECTION libs LIBRARY roughcontact NOTICES eigen
   RECOMMENDS libroughcontact-backend-split
