@@ -80,7 +80,7 @@ def run(request):
         for seed in range(1, (request.seeds if name in RANDOM else 1) + 1):
             measure(request, store, name, seed)
     if store.rows('runs'):
-        print(goal_section(store.document))
+        print(goal_section(store.document), grids_section(store.document), sep='\n\n')
 
 
 def grid_used(rows):
@@ -109,8 +109,13 @@ def goal_section(document):
              f'{whole["coarser"]} that did without.' if whole['coarser'] else '')
     sentence = (f'{whole["within"]} of {len(rows)} runs ({whole["within_percent"]:.2f} %) over {len({(row["scene"], row["seed"]) for row in rows})} '
                 f'surfaces were within their goal of the answer on the whole grid.{saved}')
-    return '\n\n'.join([sentence, records(KEPT, [row for row in kept if row['runs']]), 'Grids that were solved, in points a side over those '
-                        'given, for a goal of the load under a given approach; by contact:', grids_table(rows, goals)])
+    return f'{sentence}\n\n{records(KEPT, [row for row in kept if row["runs"]])}'
+
+
+def grids_section(document):
+    rows = [{**run, **row} for run in document['runs'] for row in rows_of(run['goals'])]
+    return ('Grids that were solved, in points a side over those given, for a goal of the load under a given approach; by contact:\n\n' +
+            grids_table(rows, values_of(rows, 'goal')[::-1]))
 
 
 GOALS = listed(ranged(float, 1e-6, 0.5))

@@ -6,6 +6,7 @@ import re
 import subprocess
 import sys
 
+MANY, MUCH = 32, 50  # registers of a kernel and spilled bytes of a function that are listed
 BEGIN, END = '<!-- begin resources -->', '<!-- end resources -->'
 
 
@@ -56,18 +57,22 @@ def main():
     for (architecture, name), numbers in found.items():
         rows[names[name]][int(architecture)] = numbers
     spilled = sum(numbers[1] for numbers in found.values())
-    text = [f'{len(rows)} kernels, nvcc {sys.argv[2]}; outside calls of functions {spilled} bytes are spilled.', '',
+    text = [f'{len(rows)} kernels, nvcc {sys.argv[2]}; outside calls of functions {spilled} bytes are spilled. Those with {MANY} registers or more:', '',
             '| launch | computes | ' + ' | '.join(f'registers, sm_{each}' for each in architectures) + ' | shared memory [bytes] |',
             '|---|---|' + '---|' * (len(architectures) + 1)]
     for (kind, what), numbers in sorted(rows.items()):
+        if max(each[0] for each in numbers.values()) < MANY:
+            continue
         text.append(f'| {kind} | `{what}` | ' + ' | '.join(str(numbers[each][0]) for each in architectures)
                     + f' | {max(each[2] for each in numbers.values())} |')
     saving = {name: count for name, count in called.items() if count > 0}
     if called:
         text += ['', f'Kernels of `blocks` call {len(called)} functions, so that what follows the iteration takes no registers from the passes. '
-                 f'{len(called) - len(saving)} of them spill nothing; the others save registers around calls, in bytes stored and loaded:', '',
+                 f'{len(called) - len(saving)} of them spill nothing; the others save registers around calls. {MUCH} bytes or more, stored and loaded:', '',
                  '| function | bytes |', '|---|---|']
         for name, full in sorted(zip(saving, demangled(saving)), key=lambda each: each[1]):
+            if saving[name] < MUCH:
+                continue
             short = re.sub(r'^(?:void|double|[\w:]+) (?=rc)', '', re.sub(r'\(.*', '', full)).replace('rc_cuda::', '')
             text.append(f'| `{short}` | {saving[name]} |')
     table = '\n'.join(text)

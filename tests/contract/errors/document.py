@@ -17,23 +17,24 @@ UNTOLD = ("Null pointers", "Sized structs")  # sections whose messages explain t
 
 def kind(message):
     """The message without its function and its numbers."""
-    return re.sub(r"-?\d[\d.]*(e[-+]\d+)?|\bnan\b|\binf\b", "#", re.sub(r"^`rc_\w+: |`", "", message))
+    return re.sub(r"-?\d[\d.]*(e[-+]\d+)?|\bnan\b|\binf\b", "#", re.sub(r"^rc_\w+: ", "", message))
 
 
 def messages(table):
-    """The sections of the table, with the lines "| status | messages |"."""
+    """The sections of the table, with the messages of each status, a line each."""
     kept = []
     for section in re.split(r"(?=^## )", table, flags=re.M)[1:]:
         title, *lines = section.strip().split("\n")
         if title[3:] in UNTOLD:
             continue
-        rows = [re.split(r"(?<!\\) \| ", line[2:-2]) for line in lines[3:]]
         if title != "## Statuses":
             found = {}
-            for _, status, message in rows:
-                found.setdefault(status, {}).setdefault(kind(message), message)
-            lines = ["", "| status | message |", "|---|---|"]
-            lines += [f"| {status} | {message} |" for status, each in found.items() for message in each.values() if message]
+            for line in lines[3:]:
+                _, status, message = re.split(r"(?<!\\) \| ", line[2:-2])
+                message = message.strip("`").rstrip().replace("\\|", "|")
+                if message:
+                    found.setdefault(status, {}).setdefault(kind(message), message)
+            lines = [line for status, each in found.items() for line in ("", status, "", "```text", *each.values(), "```")]
         kept.append("\n".join([title, *lines]))
     return "\n\n".join(kept) + "\n"
 
