@@ -12,7 +12,7 @@
 !     GNU General Public License for more details.
 !
 !     *GAP CONDUCTANCE,USER follows the law name.law (lower case, in the
-!     job's folder) of the surface interaction name.
+!     job's folder) of the surface interaction name or LAW_name.
 !
       subroutine gapcon(ak,d,flowm,temp,predef,time,ciname,slname,
      &  msname,coords,noel,node,npred,kstep,kinc,area)
@@ -58,6 +58,7 @@
          if((name(i:i).ge.'A').and.(name(i:i).le.'Z'))
      &        name(i:i)=char(ichar(name(i:i))+32)
       enddo
+      if(name(1:4).eq.'law_') name=name(5:)
       status=rc_law_open(trim(name)//c_null_char,c_null_ptr,law)
       if(status.ge.0) status=rc_law_gap_conductance(law,
      &     d(2)*length**2/force,1.d0/k1,1.d0/k2,ak(1))

@@ -161,7 +161,7 @@ std::string columns(const Law& law, const std::vector<LawRow>& rows, const Units
   return text;
 }
 
-// Both programs have one stiffness for all pressures. The law's grows with the pressure, and the elastic slip hardly changes.
+// Both programs have one number for all pressures. The law's stiffness grows with the pressure, its elastic slip far less.
 std::string friction_card(const Law& law, const Units& units, const rc_law_export_spec& spec) {
   const auto elastic_slip = [&](double p, double* stiffness) {
     double x = 0;
