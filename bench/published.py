@@ -11,6 +11,7 @@ import numpy as np
 
 import published_forms as forms
 import published_rough as rough
+import published_slip as slips
 from charts import OPEN_MARKERS, PROPORTIONAL, Panels, STYLES, axes, style
 from json_tables import load
 from options import ALL_THREADS, listed, question, ranged, side
@@ -46,6 +47,8 @@ ATLAS = ('p / (E* slope)={pressure:.4f}; published={theirs:.4f} ± {scatter:.4f}
 CHALLENGE = ('p / (E* slope)={pressure:g}; p [kPa]={kilopascals:g}; surface={seed}; grid={n}²; A/A0 [%]={area:%.4f}; '
              'proven to be within={lower:%.4f} to {upper:%.4f}; corrected [%]={corrected:%.4f}; mean gap / rms={mean_gap:.4f}')
 MIRCO = 'input={file}; theirs={theirs:.6e}; ours={ours:.6e}; difference={difference:+.1e}; tolerance of theirs={tolerance:g}'
+SLIP = ("Poisson's ratio={nu:g}; surfaces={surfaces}; shear force, model over vector problem [%]={mean:%+.2f}; largest [%]={most:%.2f}; "
+        'field of shears, largest [%]={field:%.0f}')
 SUMMARY = 'published result={name}; source={source}; theirs={theirs}; ours={ours}; part={part}; where they differ={why}'
 
 
@@ -134,8 +137,14 @@ def measure_mirco(request, store):
         measure(store, 'mirco', {'file': file}, work)
 
 
+def measure_slip(request, store):
+    for seed in range(1, request.slip_seeds + 1):
+        key = {'seed': seed, 'hurst': rough.HURSTS[seed % 2], 'n': request.slip_points}
+        measure(store, 'slip', key, lambda: slips.model_errors(request.slip_points, seed, key['hurst'], 0.05))
+
+
 PARTS = {'forms': measure_forms, 'mirco': measure_mirco, 'crossing': measure_crossing, 'breadth': measure_breadth, 'gfmd': measure_atlas,
-         'challenge': measure_challenge}
+         'challenge': measure_challenge, 'slip': measure_slip}
 
 
 def run(request):
@@ -226,11 +235,20 @@ def extrapolated(document, pressure=0.01):
     return (fine['n'] * fine['area'] - coarse['n'] * coarse['area']) / (fine['n'] - coarse['n'])
 
 
+def slip_rows(document):
+    rows = document.get('slip', [])
+    for at, nu in enumerate(slips.RATIOS) if rows else ():
+        forces = [1 / (1 + force) - 1 for row in rows for force in row['force'][at]]
+        yield {'nu': nu, 'surfaces': len(rows), 'mean': fmean(forces), 'most': max(map(abs, forces)),
+               'field': max(field for row in rows for field in row['field'][at])}
+
+
 def tables(document):
     found = {'forms': (FORMS, list(form_rows(document))), 'waves': (WAVES, document.get('waves', [])),
              'spheres': (SPHERES, document.get('spheres', [])), 'crossing': (CROSSING, list(crossing_rows(document))),
              'breadth': (BREADTH.replace('{columns}', BREADTH_COLUMNS), list(breadth_rows(document))), 'gfmd': (ATLAS, list(atlas_rows(document))),
-             'challenge': (CHALLENGE, challenge_rows(document)), 'mirco': (MIRCO, document.get('mirco', []))}
+             'challenge': (CHALLENGE, challenge_rows(document)), 'mirco': (MIRCO, document.get('mirco', [])),
+             'slip': (SLIP, list(slip_rows(document)))}
     return {name: (columns, rows) for name, (columns, rows) in found.items() if rows}
 
 
@@ -270,6 +288,11 @@ def summary(document):
         off = max(abs(row['difference']) for row in rows['mirco'])
         add('mirco', 'mean pressures of six regression inputs', 'MIRCO', 'tolerance 0.01', f'within {100 * off:.2f} %',
             "MIRCO's runs stop at their tolerance")
+    if 'slip' in rows:
+        exact, *others = rows['slip']
+        add('slip', 'shear force of a rough surface in partial slip, from its normal contact alone', 'Ciavarella 1998, Jäger 1998', 'exact at ν = 0',
+            f'within {100 * exact["most"]:.0e} % at ν = 0, {100 * max(row["most"] for row in others):.1f} % up to ν = 0.5',
+            'the model leaves out what shear along one axis moves along the other')
     for row in rows.get('forms', ()):
         add('forms', row['title'], row['source'], f'closed form of the {row["quantity"]}', f'error {row["fine_error"]:.0e} on {row["fine"]}²',
             f'cells: order {row["order"]:.1f}' if row['order'] else '')
@@ -350,16 +373,28 @@ def challenge_picture(document, file):
     drawing.draw(file, [('ours', style(2)), ('Wang, Müser 2017, Figure 2', hollow(1))], 2)
 
 
+def slip_picture(document, file):
+    drawing, rows = Panels(600, 320, 1, 1), document['slip']
+    curves, entries = [], []
+    for at, share in enumerate(slips.SHARES):
+        points = [(nu, 100 * (1 / (1 + row['force'][number][at]) - 1)) for row in rows for number, nu in enumerate(slips.RATIOS)]
+        curves.append(drawing.curve(points, hollow(1 + at)))
+        entries.append((f'shear {share:g} of the friction', hollow(1 + at)))
+    settings = axes("Poisson's ratio", 'model over vector problem [%]', (-0.03, 0.53), ('*', '*'), LINEAR)
+    drawing.panel(0, 0, f'shear force at a given slip, {len(rows)} surfaces', settings, curves)
+    drawing.draw(file, entries, 2)
+
+
 def sections(results):
     document = load(results, 'published')
     found = tables(document)
-    names = 'forms', 'waves', 'spheres', 'crossing', 'breadth', 'gfmd', 'challenge', 'mirco'
+    names = 'forms', 'waves', 'spheres', 'crossing', 'breadth', 'gfmd', 'challenge', 'mirco', 'slip'
     made = {name: records(*found[name]) if name in found else missing(f'roughcontact-bench published {name}') for name in names}
     return {'summary': records(SUMMARY, summary(document)), **made, 'provenance': provenance(document)}
 
 
 PICTURES = {'forms': ('forms', forms_picture), 'crossing': ('crossing', crossing_picture), 'area': ('gfmd', area_picture),
-            'challenge': ('distributions', challenge_picture)}
+            'challenge': ('distributions', challenge_picture), 'slip': ('slip', slip_picture)}
 
 
 def pictures(results, images):
@@ -375,7 +410,8 @@ question('published', 'published numbers beside those of the library', run, {
     'atlas_points': (side, 2048, 'points per side, areas of surfaces with waves over two decades'),
     'seeds': (ranged(int, 1, 100), 3, 'surfaces of a kind'), 'crossing_seeds': (ranged(int, 1, 1000), 20, 'surfaces whose gap closes'),
     'challenge_points': (listed(side), [2048, 4096, 8192], 'points per side, challenge'),
-    'challenge_seeds': (ranged(int, 1, 100), 2, 'surfaces of the challenge'), 'tol': (float, 1e-6, 'certified tolerance'), **ALL_THREADS},
+    'challenge_seeds': (ranged(int, 1, 100), 2, 'surfaces of the challenge'),
+    'slip_points': (side, 128, 'points per side, slip'), 'slip_seeds': (ranged(int, 1, 100), 20, 'surfaces that slip'), 'tol': (float, 1e-6, 'certified tolerance'), **ALL_THREADS},
     {'form_points': [64, 128], 'points': 128, 'atlas_points': 512, 'seeds': 2, 'crossing_seeds': 3, 'challenge_points': [256, 512],
-     'challenge_seeds': 1},
+     'challenge_seeds': 1, 'slip_points': 32, 'slip_seeds': 2},
     'small grids and few surfaces, under a minute', names=tuple(PARTS))

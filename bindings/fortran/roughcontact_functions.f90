@@ -263,6 +263,18 @@ module roughcontact_functions
       real(c_double), value :: x
       type(rc_law_point), intent(inout) :: out
     end function
+    integer(rc_status) function rc_law_slip(law, before, x, slip, after) bind(c); import
+      type(c_ptr), value :: law
+      type(rc_law_slip_state), intent(in) :: before
+      real(c_double), value :: x
+      real(c_double), intent(in) :: slip(*)
+      type(rc_law_slip_state), intent(inout) :: after
+    end function
+    integer(rc_status) function rc_law_slip_bounds(law, state, lower, upper) bind(c); import
+      type(c_ptr), value :: law
+      type(rc_law_slip_state), intent(in) :: state
+      real(c_double), intent(inout) :: lower(*), upper(*)
+    end function
     integer(rc_status) function rc_law_save(law, path) bind(c); import
       type(c_ptr), value :: law
       character(kind=c_char), intent(in) :: path(*)

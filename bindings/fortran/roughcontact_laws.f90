@@ -7,7 +7,7 @@ module roughcontact_laws
   use roughcontact_strings
   implicit none
   private
-  public :: rcf_law_create, rcf_law_save, rcf_law_destroy, rcf_law_open, rcf_law_at, rcf_law_gap_conductance
+  public :: rcf_law_create, rcf_law_save, rcf_law_destroy, rcf_law_open, rcf_law_at, rcf_law_gap_conductance, rcf_law_slip
 
   integer, parameter :: most = 64
   type(c_ptr), save :: laws(most) = c_null_ptr  ! those that rcf_law_open has given a number
@@ -83,5 +83,19 @@ contains
     integer, intent(out) :: stat
     stat = RC_ERR_ARGUMENT
     if (number >= 1 .and. number <= most) stat = rc_law_gap_conductance(laws(number), p, rho1, rho2, conductance)
+  end subroutine
+
+  ! A step of a patch that slips, see rc_law_slip. state: rc_law_slip_state(mu=..., nu=...) before the first step. stat as in
+  ! rcf_law_at, also RC_ERR_ARGUMENT for bad numbers, RC_ERR_INCOMPATIBLE for a law from which no slip follows.
+  subroutine rcf_law_slip(number, state, x, slip, stat)
+    integer, intent(in) :: number
+    type(rc_law_slip_state), intent(inout) :: state
+    real(c_double), intent(in) :: x, slip(2)
+    integer, intent(out) :: stat
+    type(rc_law_slip_state) :: after
+    stat = RC_ERR_ARGUMENT
+    if (number < 1 .or. number > most) return
+    stat = rc_law_slip(laws(number), state, x, slip, after)
+    if (stat >= 0) state = after
   end subroutine
 end module

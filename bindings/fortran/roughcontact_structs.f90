@@ -230,11 +230,17 @@ module roughcontact_structs
       area_upper = 0, conductance = 0, conductance_lower = 0, conductance_upper = 0
   end type
 
+  type, bind(c) :: rc_law_slip_state
+    integer(c_size_t) :: struct_size = merge(632, 628, c_intptr_t == 8)
+    real(c_double) :: mu = 0, nu = 0, p = 0, slope = 0, shear(2) = 0, shear_by_x(2) = 0, shear_by_slip(4) = 0, dissipated = 0, &
+      joined = 0, memory(64) = 0
+  end type
+
   type, bind(c) :: rc_law_export_spec
-    integer(c_size_t) :: struct_size = merge(72, 68, c_intptr_t == 8)
+    integer(c_size_t) :: struct_size = merge(88, 84, c_intptr_t == 8)
     integer(c_int32_t) :: format = 0, reserved = 0
     integer(c_int64_t) :: rows = 0
-    real(c_double) :: rho1 = 0, rho2 = 0, length = 0, force = 0, beyond = 0, error = 0
+    real(c_double) :: rho1 = 0, rho2 = 0, length = 0, force = 0, beyond = 0, error = 0, mu = 0, nu = 0
   end type
 
   type, bind(c) :: rc_context_config

@@ -143,6 +143,45 @@ typedef struct rc_law_point {
 RC_API rc_status rc_law_evaluate(const rc_law *law, double x, rc_law_point *out);
 /** @} */
 
+/** @defgroup law_slip Slip
+ *  The shear traction (tangential force per nominal area) of a patch that slips under friction, from its law alone (Ciavarella 1998,
+ *  Jaeger 1998): at the overclosure x a slip s from rest gives mu (p(x) - p(x - s/(mu r))), r = (2 - nu)/(2 - 2 nu), up to mu p.
+ *  Unloading and reloading follow Masing's rule; where x changes too, the rules of Mindlin and Deresiewicz (1953), as memory diagrams
+ *  (Aleshin, Bou Matar and Van Den Abeele 2015) have them: what is pressed on while nothing slips keeps its shear.
+ *
+ *  Exact for nu = 0 and in two dimensions; else a model, see docs/how-to/slip.md. Both bodies are elastically similar: nu is
+ *  (nu1/G1 + nu2/G2)/(1/G1 + 1/G2), and the pressure does not depend on the shear. Slip is the tangential displacement of one body
+ *  against the other, without the bulk's, as x is. Refused for laws with a hardness, and without rc_law_info.modulus.
+ *  @{ */
+/** A patch after a step. RC_LAW_SLIP_STATE_INIT, mu and nu: before the first one. A host stores and copies it as it is. */
+typedef struct rc_law_slip_state {
+  size_t struct_size;
+  double mu, nu;         /* in: coefficient of friction, 0 or more; Poisson's ratio, 0 .. 0.5. The same in every step */
+  double p, slope;       /* nominal pressure, dp/dx                                                                   */
+  double shear[2];       /* in the direction of the slip; at most mu p                                                */
+  double shear_by_x[2];  /* dshear/dx [force/length^3]                                                                */
+  double shear_by_slip[4]; /* dshear[i]/dslip[j] at 2 i + j, also of the step: the tangent for Newton's method        */
+  double dissipated;     /* by friction, per nominal area, since the first step [force/length]                        */
+  double joined;         /* by how much the shear may be off because earlier slips were joined, see rc_law_slip       */
+  double memory[64];     /* of earlier slips                                                                          */
+} rc_law_slip_state;
+#define RC_LAW_SLIP_STATE_INIT RC_BEGIN(rc_law_slip_state)
+
+/** A step from the state `before` to the overclosure x, with the slip slip[2] in it. after may be before; a host that iterates keeps
+ *  before. Of a step that touches, the part of the slip after first touch counts; without contact (x <= 0) nothing is held.
+ *
+ *  Exact for the model: any history at constant x in one direction; steps in which x grows and less slips than mu r times its growth,
+ *  or in which slip goes on. Approximate, of first order in the step: slip that turns back while x falls, and directions that change
+ *  within a step. 12 layers of earlier slips are kept; more are joined, those that change the shear least.
+ *  Some 60 ns, from any thread. RC_OUTSIDE beyond the last node. Errors: ARGUMENT (NaN and infinity, mu < 0, nu, a state that no step
+ *  has left, such as slip held without contact); INCOMPATIBLE (the law). after does not change then. */
+RC_API rc_status rc_law_slip(const rc_law *law, const rc_law_slip_state *before, double x, const double *slip,
+                             rc_law_slip_state *after);
+/** Bounds of the two components of the shear in a state, if the model were exact: they follow from those of p, which rises.
+ *  RC_UNCERTIFIED if slips were joined. */
+RC_API rc_status rc_law_slip_bounds(const rc_law *law, const rc_law_slip_state *state, double *lower, double *upper);
+/** @} */
+
 /** @defgroup law_files Files
  *  Files are written as rc_file_write does. Only regular files of at most 4e9 bytes are read. Paths are UTF-8, or any bytes where
  *  the system allows them.
@@ -170,6 +209,9 @@ typedef struct rc_law_export_spec {
   double error;          /* out: the largest distance between straight lines through the rows and the law, over p, from the
                             second row, which is the first node, on. Below it the table is the line from the origin to
                             that node: with RC_LAW_CONVEX it is above the law, near first touch by more than p itself  */
+  double mu, nu;         /* friction, as in rc_law_slip_state; mu 0: none. _CSV: three columns, the stiffness at the start of
+                            slip, the shear at which all slides, the slip at which that begins. _ABAQUS, _CALCULIX: *FRICTION,
+                            with the elastic slip or its stiffness in the middle of the law, between p_lower and p_upper    */
 } rc_law_export_spec;
 #define RC_LAW_EXPORT_SPEC_INIT RC_BEGIN(rc_law_export_spec)
 /** Numbers have at most 20 characters, which is what such programs read. Errors: ARGUMENT (also: in these units a number is

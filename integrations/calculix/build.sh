@@ -1,11 +1,13 @@
 #!/bin/sh
-# build.sh FOLDER: CalculiX 2.20 with contact laws of roughcontact, as FOLDER/ccx. Sources and libraries are Debian's packages, fetched
-# with apt into FOLDER and installed nowhere. pkg-config must find roughcontact. Exit code 77: a tool or the sources are missing here.
+# build.sh FOLDER [heat]: CalculiX 2.20 with contact laws of roughcontact, as FOLDER/ccx; heat: unpatched but for the user file gapcon.f.
+# Sources and libraries are Debian's packages, fetched with apt into FOLDER and installed nowhere. pkg-config must find roughcontact.
+# Exit code 77: a tool or the sources are missing here.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 mkdir -p "$1"
 cd "$1"
 folder=$(pwd)
+part=${2:-all}
 missing() { echo "build.sh: $*" >&2; exit 77; }
 for tool in apt-get dpkg-source dpkg-architecture patch make gfortran cc pkg-config; do
   command -v $tool >/dev/null || missing "$tool is not installed"
@@ -32,7 +34,7 @@ fetch() {
     dpkg-deb -x "$package" libraries
   done
   private_apt source calculix-ccx=2.20-1 || missing "there are no sources of calculix-ccx 2.20-1; other versions need another patch"
-  patch -d calculix-ccx-2.20/ccx_2.20 -p1 <"$here/ccx_2.20.patch"
+  [ "$part" = heat ] || patch -d calculix-ccx-2.20/ccx_2.20 -p1 <"$here/ccx_2.20.patch"
   touch fetched
 }
 [ -e fetched ] || fetch
@@ -41,7 +43,8 @@ sources=$folder/calculix-ccx-2.20/ccx_2.20/src
 include=$folder/libraries/usr/include/spooles
 lib=$folder/libraries/usr/lib/$(dpkg-architecture -qDEB_HOST_MULTIARCH)
 optimize=${CCX_OPTIMIZE:--O2}
-cmp -s "$here/roughcontact.f" "$sources/roughcontact.f" || cp "$here/roughcontact.f" "$sources"
+[ "$part" = heat ] && own=gapcon.f || own=roughcontact.f
+cmp -s "$here/$own" "$sources/$own" || cp "$here/$own" "$sources"
 make -C "$sources" -j "$(nproc)" CC=cc FC=gfortran FFLAGS="$optimize -w -fopenmp -fallow-argument-mismatch" \
   CFLAGS="$optimize -w -fopenmp -I$include -DARCH=Linux -DSPOOLES -DARPACK -DMATRIXSTORAGE -DUSE_MT=1" ccx_2.20.o ccx_2.20.a >make.log 2>&1 ||
   { tail -n 20 make.log >&2; exit 1; }

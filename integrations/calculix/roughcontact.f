@@ -80,8 +80,8 @@
       end subroutine
       end module
 !
-!     opens the law of a surface interaction: the file name.law, in
-!     lower case. numbers(1..2): conductivities, (3..4): one unit of
+!     opens the law of a surface interaction name or LAW_name: the file
+!     name.law, in lower case. numbers(1..2): conductivities, (3..4): one unit of
 !     length and of force of the law in units of the deck; 0: unset
 !
       subroutine rough_law_open(name,numbers,number,ier)
@@ -108,6 +108,7 @@
          ier=1
          return
       endif
+      if(lower(1:4).eq.'law_') lower=lower(5:)
       status=rc_law_open(trim(lower)//c_null_char,c_null_ptr,
      &     laws(number)%law)
       if(status.gt.0) then

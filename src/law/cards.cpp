@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "law/slip.h"
 #include "law/table.h"
 
 namespace rc {
@@ -68,6 +69,10 @@ void check_export(const Law& law, const rc_law_export_spec& spec) {
     fail(RC_ERR_ARGUMENT, "rc_law_export_spec.length = ", spec.length, ", force = ", spec.force, " must be positive and finite");
   if (!(spec.beyond >= 1 && std::isfinite(spec.beyond)))
     fail(RC_ERR_ARGUMENT, "rc_law_export_spec.beyond = ", spec.beyond, " must be 1 or more, and finite");
+  check_friction(spec.mu, spec.nu, "rc_law_export_spec");
+  if (spec.mu > 0) check_slips(law);
+  if (spec.mu > 0 && (spec.format == RC_LAW_MOOSE || spec.format == RC_LAW_TABLE))
+    fail(RC_ERR_ARGUMENT, "rc_law_export_spec.mu = ", spec.mu, ": this format has no friction");
   if (spec.rho1 + spec.rho2 > 0 && !(law.info.modulus > 0))
     fail(RC_ERR_ARGUMENT, "rc_law_export_spec.rho1 = ", spec.rho1, ", rho2 = ", spec.rho2, ": ", no_conductance);
 }
@@ -122,7 +127,7 @@ void check_ascending(const Law& law, const std::vector<LawRow>& rows, const Unit
            ": the law, x = ", rows[1].x, " to ", law.info.x_upper, ", is too short for so many; lower rc_law_export_spec.rows");
 }
 
-std::string joined_line(std::initializer_list<double> values) {
+std::string joined_line(const std::vector<double>& values) {
   std::string line;
   for (const double value : values) {
     if (!line.empty()) line += ',';
@@ -132,18 +137,46 @@ std::string joined_line(std::initializer_list<double> values) {
   return line;
 }
 
-std::string columns(const Law& law, const std::vector<LawRow>& rows, const Units& units, double resistivity) {
-  std::string text = "overclosure,pressure,slope,energy,area_fraction,conductance,pressure_lower,pressure_upper\n";
+// The stiffness per area at the start of slip, over dp/dx.
+double stick(const rc_law_export_spec& spec) { return (2 - 2 * spec.nu) / (2 - spec.nu); }
+
+std::string columns(const Law& law, const std::vector<LawRow>& rows, const Units& units, const rc_law_export_spec& spec) {
+  const double resistivity = spec.rho1 + spec.rho2;
+  std::string text = "overclosure,pressure,slope,energy,area_fraction,conductance,pressure_lower,pressure_upper";
+  text += spec.mu > 0 ? ",shear_stiffness,sliding_shear,sliding_slip\n" : "\n";
   for (const LawRow& row : rows) {
     roughcontact_law_bounds bounds{};
     if (row.x > 0) roughcontact_law_bounds_at(law.table.data(), row.x, row.p, &bounds);
     const double unit = law.conductance();  // NaN: none
     const double conductance = std::isnan(unit) ? unit : units.per_length(unit * row.slope) / (resistivity > 0 ? resistivity : 1);
     const double upper = bounds.p_upper;  // infinite beyond the last node
-    text += joined_line({units.x(row), units.p(row.p), units.slope(row), units.energy(row), bounds.area, conductance,
-                         units.p(bounds.p_lower), std::isfinite(upper) ? units.p(upper) : upper});
+    std::vector<double> line{
+        units.x(row), units.p(row.p), units.slope(row),        units.energy(row),
+        bounds.area,  conductance,    units.p(bounds.p_lower), std::isfinite(upper) ? units.p(upper) : upper};
+    if (spec.mu > 0)
+      for (const double more : {stick(spec) * units.slope(row), spec.mu * units.p(row.p), spec.mu / stick(spec) * units.x(row)})
+        line.push_back(more);
+    text += joined_line(line);
   }
   return text;
+}
+
+// Both programs have one number for all pressures. The law's stiffness grows with the pressure, its elastic slip far less.
+std::string friction_card(const Law& law, const Units& units, const rc_law_export_spec& spec) {
+  const auto elastic_slip = [&](double p, double* stiffness) {
+    double x = 0;
+    roughcontact_law_overclosure(law.table.data(), p, &x);
+    const LawRow row = row_at(law, x);
+    *stiffness = stick(spec) * units.slope(row);
+    return spec.mu * units.p(p) / *stiffness;
+  };
+  double stiffness = 0;
+  const double least = elastic_slip(law.info.p_lower, &stiffness), most = elastic_slip(law.info.p_upper, &stiffness),
+               middle = std::sqrt(law.info.p_lower) * std::sqrt(law.info.p_upper), slip = elastic_slip(middle, &stiffness);
+  const std::string text = join("** friction: at the pressure ", card_number(units.p(middle)), "; the law has elastic slips of ",
+                                in_digits(least, 3), " at its lowest and ", in_digits(most, 3), " at its highest\n");
+  if (spec.format == RC_LAW_ABAQUS) return text + "*FRICTION, ELASTIC SLIP=" + card_number(slip) + '\n' + joined_line({spec.mu});
+  return text + "*FRICTION\n" + joined_line({spec.mu, stiffness});
 }
 
 std::string pressure_cards(const Law& law, const std::vector<LawRow>& rows, const Units& units, const rc_law_export_spec& spec) {
@@ -156,6 +189,7 @@ std::string pressure_cards(const Law& law, const std::vector<LawRow>& rows, cons
            "origin; bounds of the patch within ", in_digits(law.info.width, 2), " (", proof, ")\n");
   text += "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR\n";
   for (const LawRow& row : rows) text += joined_line({units.p(row.p), units.x(row)});
+  if (spec.mu > 0) text += friction_card(law, units, spec);
   if (!(spec.rho1 + spec.rho2 > 0)) return text;
   text += spec.format == RC_LAW_ABAQUS ? "*GAP CONDUCTANCE, PRESSURE\n" : "*GAP CONDUCTANCE\n";
   for (std::size_t i = 0; i < rows.size(); ++i)  // one row for each pressure
@@ -186,7 +220,7 @@ std::string cards_of(const Law& law, rc_law_export_spec& spec) {
   if (more) rows.push_back(row_at(law, spec.beyond * law.info.x_upper));
   const Units units(spec.length, spec.force);
   check_ascending(law, rows, units);
-  if (spec.format == RC_LAW_CSV) return columns(law, rows, units, spec.rho1 + spec.rho2);
+  if (spec.format == RC_LAW_CSV) return columns(law, rows, units, spec);
   if (spec.format == RC_LAW_CALCULIX && (rows[2].x - rows[1].x) * spec.length < least_step_of_calculix)
     fail(RC_ERR_ARGUMENT, "rows are ", (rows[2].x - rows[1].x) * spec.length,
          " apart, and CalculiX changes overclosures that are nearer than 1e-10: choose a smaller unit of length, or fewer rows");

@@ -214,7 +214,11 @@ void Law::finish() {
   }
   pieces.push_back({nodes.back().x, nodes.back().p, nodes.back().slope, 0, energy});
   table_nodes.push_back(table_node(nodes.back()));
-  table = table_of({.conductance = info.modulus > 0 ? 2 / info.modulus : nan}, pieces, table_nodes);
+  const bool convex =
+      std::all_of(nodes.begin(), nodes.end() - 1, [](const rc_law_node& node) { return node.bounds == RC_LAW_CONVEX; });
+  table = table_of(
+      {.conductance = info.modulus > 0 ? 2 / info.modulus : nan, .hardness = info.hardness, .convex = convex ? 1.0 : 0.0}, pieces,
+      table_nodes);
   info.nodes = static_cast<std::int64_t>(nodes.size());
   info.x_lower = nodes[1].x, info.p_lower = nodes[1].p;
   info.x_upper = nodes.back().x, info.p_upper = nodes.back().p;

@@ -15,7 +15,8 @@ struct law_table_head {
   double numbers, pieces, nodes; /* how many: numbers in the table, pieces, nodes */
   double conductance;            /* 2 / E*: the conductance over dp/dx, times the sum of both resistivities; NaN: none */
   double first_bucket, buckets;  /* roughcontact_law_bucket of the first one, and how many there are */
-  double reserved[2];            /* 0 */
+  double hardness;               /* 0: none */
+  double convex;                 /* 1: RC_LAW_CONVEX between all nodes, else 0 */
 };
 
 /* A parabola, up to where the next piece begins: two between two nodes, and one beyond the last node. */
@@ -59,6 +60,33 @@ void roughcontact_law_bounds_at(const double* table, double x, double p, struct 
 /* The bounds of p between two neighbouring nodes. */
 void roughcontact_law_envelope(const struct law_table_node* node, const struct law_table_node* next, double x, double* p_lower,
                                double* p_upper);
+
+/* Slip, see rc_law_slip. The patch at the overclosure x is a stack of layers, from first touch (0) to x. In a layer the share d
+ * of the friction acts, a vector of length 0 to 1: the shear is mu times the sum of d times the rise of p in the layer, and the
+ * slip that it holds is mu (2 - nu)/(2 - 2 nu) times the sum of d times the layer's thickness. Slip turns the uppermost layers.
+ *
+ * Ciavarella (1998), Jaeger (1998): equal shares in one direction; Aleshin, Bou Matar & Van Den Abeele (2015), Method of memory
+ * diagrams: any history. */
+enum { LAW_SLIP_LAYERS = 12, LAW_SLIP_NUMBERS = 4 + 5 * LAW_SLIP_LAYERS, LAW_SLIP_FORCES = 10 };
+
+struct law_slip_layer {
+  double x, p, energy; /* at its top */
+  double d[2];
+};
+
+struct law_slip_state { /* LAW_SLIP_NUMBERS doubles; all 0 before the first step */
+  double x, layers, dissipated;
+  double joined; /* by how much joining layers may have changed the shear, over mu */
+  struct law_slip_layer layer[LAW_SLIP_LAYERS];
+};
+
+/* A step to the overclosure x with the slip slip[2] in it. before and after may be the same. forces: p, shear[2], dp/dx,
+ * dshear/dx [2], dshear/dslip [4] by rows. -1 also for mu < 0, nu outside 0 to 0.5, a state that no step has left, and a law with
+ * a hardness or without a conductance. */
+int roughcontact_law_slip(const double* table, double mu, double nu, const double* before, double x, const double* slip,
+                          double* after, double* forces);
+/* The bounds of the shear in a state. */
+void roughcontact_law_slip_bounds(const double* table, double mu, const double* state, double* lower, double* upper);
 
 #ifdef __cplusplus
 }

@@ -54,6 +54,8 @@ Command law_command(LawArguments& arguments) {
            {"--deck-units", &arguments.deck_units, "LENGTH,FORCE", "Units of the exported tables, mm,N (default m,N)"},
            {"--conductivity", &arguments.conductivity, "K or K1,K2",
             "Conductivity of both bodies, or of each, in units of the deck: adds the conductance"},
+           {"--friction", &arguments.friction, "MU,NU",
+            "Coefficient of friction and Poisson's ratio: adds friction with its elastic slip to cards and csv"},
            {"--rows", &arguments.rows, "N", "Rows of a table (default 200, the most that CalculiX reads)"},
            {"--beyond", &arguments.beyond, "TIMES", "Add a row at this multiple of the last overclosure (default 100; 1: none)"},
            {"--json", &arguments.json, "FILE", "Write the facts, the nodes and the rows"},

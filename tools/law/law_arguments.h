@@ -17,7 +17,7 @@ struct LawArguments {
   SolveArguments contact;  // the patch; its pressure is the range LOWER..UPPER
   std::optional<std::string> tolerance, conductance_tolerance, bulk, max_nodes;
   std::optional<std::string> output, json, picture, at, law_units;
-  std::optional<std::string> rows, beyond, conductivity, deck_units;
+  std::optional<std::string> rows, beyond, conductivity, friction, deck_units;
   std::vector<std::string> exports;  // FORMAT=FILE,...
 };
 

@@ -101,6 +101,16 @@ std::pair<double, double> resistivities(const std::optional<std::string>& text) 
   return {1 / positive_number("--conductivity", parts.front()), 1 / positive_number("--conductivity", parts.back())};
 }
 
+std::pair<double, double> friction(const std::optional<std::string>& text) {
+  if (!text) return {0, 0};
+  const auto parts = split(*text, ',');
+  const double mu = positive_number("--friction", parts.front()), nu = finite_number("--friction", parts.back());
+  if (parts.size() != 2 || !(nu >= 0 && nu <= 0.5))
+    throw Error("--friction: ", in_quotes(*text),
+                " is no coefficient of friction and Poisson's ratio (0 to 0.5), give them as 0.3,0.3");
+  return {mu, nu};
+}
+
 std::vector<LawExport> exports_of(const LawArguments& arguments, const LawUnits& units) {
   std::vector<LawExport> found;
   const LawUnits deck = law_units("--deck-units", arguments.deck_units);
@@ -116,6 +126,7 @@ std::vector<LawExport> exports_of(const LawArguments& arguments, const LawUnits&
       spec.beyond = arguments.beyond ? finite_number("--beyond", *arguments.beyond) : 0;
       if (arguments.beyond && spec.beyond < 1) throw Error("--beyond: ", in_quotes(*arguments.beyond), " is not 1 or more");
       std::tie(spec.rho1, spec.rho2) = resistivities(arguments.conductivity);
+      std::tie(spec.mu, spec.nu) = friction(arguments.friction);
       if (spec.format != RC_LAW_TABLE) {
         spec.length = units.length / deck.length;
         spec.force = units.force / deck.force;
@@ -125,6 +136,7 @@ std::vector<LawExport> exports_of(const LawArguments& arguments, const LawUnits&
   }
   const std::pair<const char*, bool> about_exports[] = {{"--deck-units", arguments.deck_units.has_value()},
                                                         {"--conductivity", arguments.conductivity.has_value()},
+                                                        {"--friction", arguments.friction.has_value()},
                                                         {"--rows", arguments.rows.has_value()},
                                                         {"--beyond", arguments.beyond.has_value()}};
   for (const auto& [option, used] : about_exports) {

@@ -76,6 +76,8 @@ class ContactFunctions(Protocol):
     rc_law_overclosure: Callable[[handle, double, doubles], rc_status]
     rc_law_gap_conductance: Callable[[handle, double, double, double, doubles], rc_status]
     rc_law_evaluate: Callable[[handle, double, rc_law_point], rc_status]
+    rc_law_slip: Callable[[handle, rc_law_slip_state, double, doubles, rc_law_slip_state], rc_status]
+    rc_law_slip_bounds: Callable[[handle, rc_law_slip_state, doubles, doubles], rc_status]
     rc_law_save: Callable[[handle, text], rc_status]
     rc_law_load: Callable[[text, handles], rc_status]
     rc_law_export: Callable[[handle, text, rc_law_export_spec], rc_status]

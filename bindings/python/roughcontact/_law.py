@@ -18,6 +18,7 @@ from ._handle import Progress, progress_caller
 from ._keywords import options_of
 from ._library import contact_library
 from ._paths import Path, as_path
+from ._slip import Slip
 from ._solve import system_for
 from ._status import Status
 from ._structs import rc_law_export_spec, rc_law_info, rc_law_node, rc_law_point, rc_law_spec, rc_progress_fn
@@ -118,6 +119,11 @@ class Law(OwnsHandle):
         library, (first, second) = contact_library(), (1 / float(each) for each in k)
         return self._each(p, "p", lambda value, out: library.rc_law_gap_conductance(self._handle, value, first, second, out))
 
+    def slip(self, *, mu: float, nu: float) -> Slip:
+        """The shear of this patch under friction, as a function of slip and pressure. mu: coefficient of friction; nu: Poisson's ratio
+        of both bodies, 0 to 0.5"""
+        return Slip(self, mu, nu)
+
     def plot(self, **how: Any) -> Any:
         """`roughcontact.plot.law` of this law."""
         return plot.law(self, **how)
@@ -136,16 +142,19 @@ class Law(OwnsHandle):
         length: float = 1,
         force: float = 1,
         beyond: float = 0,
+        mu: float = 0,
+        nu: float = 0,
     ) -> float:
         """Writes a table for another program. Returns the largest distance of straight lines between its rows from the law, over p.
 
         format: "csv", "calculix", "abaqus", "moose" or "table"
-        rows, length, force, beyond: as in `rc_law_export_spec`; k: conductivities, for a conductance in the table
+        rows, length, force, beyond, mu, nu: as in `rc_law_export_spec`; k: conductivities, for a conductance in the table
         """
         if format not in FORMATS:
             raise ArgumentError(f"format is {format!r}: one of {', '.join(FORMATS)}")
         spec = rc_law_export_spec()
         spec.format, spec.rows, spec.length, spec.force, spec.beyond = FORMATS[format], rows, length, force, beyond
+        spec.mu, spec.nu = mu, nu
         if k is not None:
             spec.rho1, spec.rho2 = (1 / float(each) for each in k)
         check(contact_library().rc_law_export(self._handle, as_path(path), spec))

@@ -166,8 +166,14 @@ class rc_law_point(Sized):
 
 
 @struct
+class rc_law_slip_state(Sized):
+    members = """size_t struct_size; double mu nu p slope; double*2 shear shear_by_x; double*4 shear_by_slip;
+    double dissipated joined; double*64 memory"""
+
+
+@struct
 class rc_law_export_spec(Sized):
-    members = "size_t struct_size; int32_t format reserved; int64_t rows; double rho1 rho2 length force beyond error"
+    members = "size_t struct_size; int32_t format reserved; int64_t rows; double rho1 rho2 length force beyond error mu nu"
 
 
 rc_log_fn = callback(None, int32_t, text, handle)

@@ -23,7 +23,7 @@ from .result import Grid, Result
 from .surface import PowerLaw, Spectrum
 
 DARK = "#{:02x}{:02x}{:02x}".format(*GROUND)
-__all__ = ["heights", "pressure", "patches", "history", "law", "histogram", "spectrum"]
+__all__ = ["heights", "pressure", "patches", "history", "law", "slip", "histogram", "spectrum"]
 UNITS = {"approach": "m", "overclosure": "m", "pressure": "Pa", "load": "N", "contact_area": "m\u00b2", "stiffness": "N/m"}
 LAW_MEMBERS = {"pressure": ("p", "p"), "area_fraction": ("area_fraction", "area"), "conductance": ("conductance", "conductance")}
 
@@ -154,6 +154,23 @@ def law(found: Any, *, ax: Any = None, y: str = "pressure", points: int = 400, s
             _prefixes(axis, UNITS[name])
         axis.set_label_text(name.replace("_", " ") + (" (1/m)" if si and name == "conductance" else ""))
     ax.set_title(f"{found.info['nodes']} nodes, p within {found.info['width']:.2g}", fontsize="small")
+    return ax
+
+
+def slip(found: Any, pressure: Optional[float] = None, *, ax: Any = None, si: bool = True, **how: Any) -> Any:
+    """A `Slip` at a pressure: first loading with its bounds, and loops that turn at a quarter, a half and all of the sliding slip.
+    pressure: the law's highest unless given. how: for plot."""
+    ax, p = _axes(ax), found.law.info["p_upper"] if pressure is None else pressure
+    most = float(found.sliding_slip(p))
+    for share in (1, 0.5, 0.25):
+        slips, shears = found.loop(share * most, p)
+        ax.plot(slips, shears, **{"color": "C0", "alpha": share**0.5, **how})
+    slips = np.linspace(0, most, 100)
+    ax.fill_between(slips, *found.bounds(slips, p), color="C0", alpha=0.3, linewidth=0)
+    for axis, name, unit in ((ax.xaxis, "slip", "m"), (ax.yaxis, "shear", "Pa")):
+        _with_prefix(axis, unit if si else None)
+        axis.set_label_text(name)
+    ax.set_title(f"friction {found.mu:g}, Poisson's ratio {found.nu:g}", fontsize="small")
     return ax
 
 

@@ -246,6 +246,43 @@ void the_error_of_a_table_is_its_largest() {
   }
 }
 
+void tables_hold_friction() {
+  const Folder folder("friction");
+  const std::string path = folder / "table";
+  const rc_law_info info = describe(usual_law());
+  const double stick = 1.4 / 1.7, middle = std::sqrt(info.p_lower * info.p_upper);
+  rc_law_export_spec spec = RC_LAW_EXPORT_SPEC_INIT;
+  spec.format = RC_LAW_CSV;
+  spec.mu = spec.nu = 0.3;
+  check_equal(rc_law_export(usual_law(), path.c_str(), &spec), RC_OK, rc_last_error());
+  for (const auto& row : rows_in(path, "overclosure,")) {
+    const rc_law_point point = evaluate(usual_law(), row[0]);
+    check_equal(static_cast<std::int64_t>(row.size()), 11, "columns");
+    if (row[0] > 0)
+      check(std::abs(row[8] / (stick * point.slope) - 1) < 1e-6 && std::abs(row[9] / (0.3 * point.p) - 1) < 1e-6 &&
+                std::abs(row[10] / (0.3 * row[0] / stick) - 1) < 1e-9,
+            "row at " + text(row[0]));
+  }
+  double x = 0;
+  rc_law_overclosure(usual_law(), middle, &x);
+  const double stiffness = stick * evaluate(usual_law(), x).slope;
+  spec.format = RC_LAW_ABAQUS;
+  spec.length = 1e3;
+  check_equal(rc_law_export(usual_law(), path.c_str(), &spec), RC_OK, rc_last_error());
+  const std::string deck = content(path), key = "*FRICTION, ELASTIC SLIP=";
+  check(std::abs(std::stod(deck.substr(deck.find(key) + key.size())) / (1e3 * 0.3 * middle / stiffness) - 1) < 1e-9,
+        "elastic slip");
+  check(rows_in(path, "*FRICTION").at(0).at(0) == 0.3, "friction");
+  spec.format = RC_LAW_CALCULIX;
+  spec.length = 1;
+  check_equal(rc_law_export(usual_law(), path.c_str(), &spec), RC_OK, rc_last_error());
+  check(std::abs(rows_in(path, "*FRICTION").at(0).at(1) / stiffness - 1) < 1e-9, "stiffness");
+  spec.format = RC_LAW_MOOSE;
+  refuses(rc_law_export(usual_law(), path.c_str(), &spec), "this format has no friction", "MOOSE");
+  spec.nu = 0.7;
+  refuses(rc_law_export(usual_law(), path.c_str(), &spec), "rc_law_export_spec.nu = 0.7", "nu");
+}
+
 void rows_too_near_are_refused() {
   const Folder folder("near");
   const std::string path = folder / "table";
@@ -279,9 +316,14 @@ void the_evaluation_stands_alone() {
   std::vector<double> xs = overclosures(usual_law());
   xs.resize(200);
   std::istringstream lines = said_alone(folder, table, xs);
+  rc_law_slip_state state = RC_LAW_SLIP_STATE_INIT;
+  state.mu = state.nu = 0.3;
   for (const double x : xs) {
-    double p = 0, slope = 0, energy = 0, back = 0, own = 0;
-    lines >> p >> slope >> energy >> back;
+    double p = 0, slope = 0, energy = 0, back = 0, own = 0, shear[2] = {};
+    lines >> p >> slope >> energy >> back >> shear[0] >> shear[1];
+    const double slip[2] = {x / 10, x / 20};
+    check(rc_law_slip(usual_law(), &state, x, slip, &state) >= 0, rc_last_error());
+    check(std::memcmp(shear, state.shear, sizeof shear) == 0, "other shears at " + text(x));
     const rc_law_point point = evaluate(usual_law(), x);
     rc_law_overclosure(usual_law(), point.p, &own);
     check(p == point.p && slope == point.slope && energy == point.energy && back == own, "other bits at " + text(x));
@@ -308,8 +350,9 @@ void slopes_may_be_large_and_small() {
     write(table, scaled.str());
     std::istringstream lines = said_alone(folder, table, xs);
     for (const double x : xs) {
-      std::string p, slope, energy, back;
+      std::string p, slope, energy, back, shears;
       lines >> p >> slope >> energy >> back;
+      std::getline(lines, shears);
       check(x <= 0 || std::abs(std::stod(back) / x - 1) < 1e-9, "the inverse of " + text(x) + " is " + back + " at p = " + p);
     }
   }
@@ -335,6 +378,7 @@ int main(int argc, char** argv) {
                            {"a saved law has the status of its making", a_saved_law_has_the_status_of_its_making},
                            {"damaged files are refused", damaged_files_are_refused},
                            {"tables hold the law", tables_hold_the_law},
+                           {"tables hold friction", tables_hold_friction},
                            {"the error of a table is its largest", the_error_of_a_table_is_its_largest},
                            {"rows too near are refused", rows_too_near_are_refused},
                            {"the evaluation stands alone", the_evaluation_stands_alone},

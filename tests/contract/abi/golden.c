@@ -419,7 +419,20 @@ AT(rc_law_point, conductance, 80);
 AT(rc_law_point, conductance_lower, 88);
 AT(rc_law_point, conductance_upper, 96);
 
-SIZE(rc_law_export_spec, 72);
+SIZE(rc_law_slip_state, 632);
+AT(rc_law_slip_state, struct_size, 0);
+AT(rc_law_slip_state, mu, 8);
+AT(rc_law_slip_state, nu, 16);
+AT(rc_law_slip_state, p, 24);
+AT(rc_law_slip_state, slope, 32);
+AT(rc_law_slip_state, shear, 40);
+AT(rc_law_slip_state, shear_by_x, 56);
+AT(rc_law_slip_state, shear_by_slip, 72);
+AT(rc_law_slip_state, dissipated, 104);
+AT(rc_law_slip_state, joined, 112);
+AT(rc_law_slip_state, memory, 120);
+
+SIZE(rc_law_export_spec, 88);
 AT(rc_law_export_spec, struct_size, 0);
 AT(rc_law_export_spec, format, 8);
 AT(rc_law_export_spec, reserved, 12);
@@ -430,6 +443,8 @@ AT(rc_law_export_spec, length, 40);
 AT(rc_law_export_spec, force, 48);
 AT(rc_law_export_spec, beyond, 56);
 AT(rc_law_export_spec, error, 64);
+AT(rc_law_export_spec, mu, 72);
+AT(rc_law_export_spec, nu, 80);
 
 SIZE(rc_context_config, 40);
 AT(rc_context_config, struct_size, 0);

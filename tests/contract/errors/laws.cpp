@@ -88,6 +88,20 @@ template <class Spoil> auto export_with(const Spoil& spoil) {
   };
 }
 
+// A step of the usual law from a state of rest with usual friction.
+template <class Spoil> auto slip_with(const Spoil& spoil, double x = 0.1, double along = 0) {
+  return [=]() -> Outcome {
+    rc_law_slip_state before = RC_LAW_SLIP_STATE_INIT, after = RC_LAW_SLIP_STATE_INIT;
+    before.mu = before.nu = 0.3;
+    after.p = untouched;
+    spoil(before);
+    const double slip[2] = {along, 0};
+    const Outcome outcome = rc_law_slip(usual_law(), &before, x, slip, &after);
+    assert_true(after.p == untouched);
+    return outcome;
+  };
+}
+
 // Products of the usual scene, with these distances between neighbours.
 template <class Spoil> auto product_with(const Spoil& spoil, std::int64_t p_y = side, std::int64_t u_y = side) {
   return [=]() -> Outcome {
@@ -295,6 +309,33 @@ Section laws() {
                refused,
                {"rc_law_export_spec.beyond = 0.5 must be 1 or more, and finite"},
                export_with([](rc_law_export_spec& a) { a.beyond = 0.5; })},
+              {"`rc_law_export`: mu = 0.3 for MOOSE",
+               refused,
+               {"rc_law_export_spec.mu = 0.3: this format has no friction"},
+               export_with([](rc_law_export_spec& a) {
+                 a.mu = 0.3;
+                 a.format = RC_LAW_MOOSE;
+               })},
+              {"`rc_law_slip`: mu = -1",
+               refused,
+               {"rc_law_slip_state.mu = -1 must be >= 0 and finite"},
+               slip_with([](rc_law_slip_state& a) { a.mu = -1; })},
+              {"`rc_law_slip`: nu = 0.6",
+               refused,
+               {"rc_law_slip_state.nu = 0.6 must be 0 .. 0.5"},
+               slip_with([](rc_law_slip_state& a) { a.nu = 0.6; })},
+              {"`rc_law_slip`: the slip is NaN",
+               refused,
+               {"slip = nan, 0 must be finite"},
+               slip_with([](rc_law_slip_state&) {}, 0.1, nan)},
+              {"`rc_law_slip`: a state with slip before contact",
+               refused,
+               {"rc_law_slip_state holds slip before contact, at the overclosure 0; begin with RC_LAW_SLIP_STATE_INIT"},
+               slip_with([](rc_law_slip_state& a) { a.memory[1] = 1; })},
+              {"`rc_law_slip`: a state that is none",
+               refused,
+               {"rc_law_slip_state.memory is none that rc_law_slip has left; begin with RC_LAW_SLIP_STATE_INIT"},
+               slip_with([](rc_law_slip_state& a) { a.memory[1] = 99, a.memory[0] = 1; })},
               {"`rc_law_export`: units in which a slope overflows",
                refused,
                {"in these units a number is beyond double precision"},

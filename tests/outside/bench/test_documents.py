@@ -209,12 +209,14 @@ def published(folder):
     for table in ('breadth', 'gfmd', 'challenge'):  # areas grow with the load
         rows = document[table]
         assert all(b['area'] > a['area'] for a, b in zip(rows, rows[1:]) if a['pressure'] < b['pressure']), rows
+    for row in document['slip']:  # the model is exact at nu = 0
+        assert row['gap'] < 1e-7 and max(map(abs, row['force'][0])) < 1e-5 < max(map(abs, row['force'][-1])) < 0.03, row
     assert not document.get('mirco') or max(abs(row['difference']) for row in document['mirco']) < 0.015, document['mirco']
     assert run('documents', 'published', '--quick', '--threads', '1').count('measured before') == sum(
-        len(document[table]) for table in ('forms', 'waves', 'spheres', 'crossing', 'breadth', 'gfmd', 'challenge', 'distributions', 'mirco') if table in document)
+        len(document[table]) for table in ('forms', 'waves', 'spheres', 'crossing', 'breadth', 'gfmd', 'challenge', 'distributions', 'mirco', 'slip') if table in document)
     assert 'not reproduced' in open(os.path.join(folder, 'published.md'), encoding='utf-8').read()
     assert set(filled) >= {'summary', 'forms', 'crossing', 'gfmd', 'challenge', 'provenance'}, filled.keys()
-    check_pictures(folder, *(f'published-{name}' for name in ('forms', 'crossing', 'area', 'challenge')))
+    check_pictures(folder, *(f'published-{name}' for name in ('forms', 'crossing', 'area', 'challenge', 'slip')))
 
 
 page = {'pareto': 'speed-accuracy'}.get(sys.argv[2], sys.argv[2])

@@ -8,8 +8,8 @@ CONDUCTIVITY = 50.0  # mW/(mm K)
 NO_LINE_SEARCH = ["*CONTROLS,PARAMETERS=LINE SEARCH", ",1.01,.999,0.1,0.1"]
 
 
-def write(path, behaviour, kind, down, increments=1, elements=2, tilt=0.0, heat=False, residual=1e-6):
-    """kind: NODE or SURFACE to surface. down: displacement of the top in mm, which increases by tilt times itself along x."""
+def write(path, behaviour, kind, down, increments=1, elements=2, tilt=0.0, heat=False, residual=1e-6, name="PATCH"):
+    """name: the interaction's. kind: NODE or SURFACE to surface. down: displacement of the top in mm, which increases by tilt times itself along x."""
     nodes = range(elements + 1)
     cells = range(elements)
     side = EDGE / elements
@@ -49,8 +49,8 @@ def write(path, behaviour, kind, down, increments=1, elements=2, tilt=0.0, heat=
     lines += ["*MATERIAL,NAME=STEEL", "*ELASTIC", f"{YOUNG},0.", "*CONDUCTIVITY", f"{CONDUCTIVITY}"]
     lines += ["*EXPANSION", "0.", "*SPECIFIC HEAT", "1.", "*DENSITY", "1."] if heat else []
     lines += [f"*SOLID SECTION,ELSET=BLOCK{block},MATERIAL=STEEL" for block in (0, 1)]
-    lines += ["*SURFACE INTERACTION,NAME=PATCH"] + behaviour
-    lines += [f"*CONTACT PAIR,INTERACTION=PATCH,TYPE={kind} TO SURFACE", "SLAVE,MASTER"]
+    lines += [f"*SURFACE INTERACTION,NAME={name}"] + behaviour
+    lines += [f"*CONTACT PAIR,INTERACTION={name},TYPE={kind} TO SURFACE", "SLAVE,MASTER"]
     lines += ["*INITIAL CONDITIONS,TYPE=TEMPERATURE", "NALL,300."] if heat else []
     lines += ["*BOUNDARY", "BOTTOM,3,3", "X0,1,1", "Y0,2,2"]
     procedure = "*COUPLED TEMPERATURE-DISPLACEMENT,STEADY STATE" if heat else "*STATIC"

@@ -5,6 +5,7 @@ import ctypes
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 
@@ -103,6 +104,28 @@ def heat(ccx, law, folder):
         check("  heat", abs(heats[-1] / expected - 1), 5e-7)
 
 
+def example(ccx, law, folder):
+    """The two-block deck by call, whose interaction has the prefix that keeps it apart from the material STEEL."""
+    path = folder / "by_call.inp"
+    forces, heats, _ = run(ccx, path)
+    pressure = law.series(0.002)
+    contact = law.ask("rc_law_gap_conductance", pressure, 1 / deck.CONDUCTIVITY, 1 / deck.CONDUCTIVITY)
+    check("deck by call: force", abs(forces[-1][1] / (pressure * AREA) - 1), 5e-7)
+    check("  heat", abs(heats[-1] / (100 * AREA / (2 * deck.EDGE / deck.CONDUCTIVITY + 1 / contact)) - 1), 5e-7)
+
+
+def heat_alone(ccx, law, folder):
+    """CalculiX without the patch, but for gapcon.f: conductance by the law, pressure by CalculiX' own stiffness."""
+    path, stiffness = folder / "alone.inp", 1e5
+    for name in ("PATCH", "LAW_PATCH"):
+        linear = ["*SURFACE BEHAVIOR,PRESSURE-OVERCLOSURE=LINEAR", f"{stiffness}", "*GAP CONDUCTANCE,USER"]
+        deck.write(path, linear, "SURFACE", 0.002, heat=True, name=name)
+        forces, heats, _ = run(ccx, path)
+        contact = law.ask("rc_law_gap_conductance", forces[-1][1] / AREA, 1 / deck.CONDUCTIVITY, 1 / deck.CONDUCTIVITY)
+        expected = 100 * AREA / (2 * deck.EDGE / deck.CONDUCTIVITY + 1 / contact)
+        check(f"heat without the patch, {name}", abs(heats[-1] / expected - 1), 2e-6)
+
+
 def units(ccx, law, folder):
     """A law in m, N, Pa in a deck in mm, N, MPa: every x, p of the file is scaled, so numbers of the deck scale back."""
     path = folder / "units.inp"
@@ -162,8 +185,13 @@ def main():
     subprocess.run(["cc", "-O2", integration / "steel.c", "-o", program, *flags, f"-Wl,-rpath,{library.parent}", "-lm"], check=True)
     subprocess.run([program, folder / "patch.law"], check=True)
     law = Law(library, folder / "patch.law")
-    for part in (two_cubes, tilted, heat, units, errors):
+    shutil.copy(folder / "patch.law", folder / "steel.law")
+    for name in ("blocks.inp", "by_call.inp"):
+        shutil.copy(integration / name, folder)
+    for part in (two_cubes, tilted, heat, example, units, errors):
         part(folder / "calculix/ccx", law, folder)
+    subprocess.run([integration / "build.sh", folder / "calculix_heat", "heat"], check=True)
+    heat_alone(folder / "calculix_heat/ccx", law, folder)
     return 0
 
 

@@ -10,6 +10,7 @@ program test_laws
   type(c_ptr) :: law
   real(c_double) :: p, slope, energy, conductance, of_it
   integer :: stat
+  type(rc_law_slip_state) :: state
 
   system = rc_system(op=RC_OPERATOR_HALFSPACE, boundary=RC_BOUNDARY_PERIODIC, nx=24, ny=20, hx=1, hy=1, modulus=1)
   spec = rc_law_spec(p_lower=1e-3_c_double, p_upper=5e-2_c_double, tolerance=1e-2_c_double)
@@ -21,6 +22,15 @@ program test_laws
   call check('a law by number', stat >= 0 .and. p == of_it .and. p > 0 .and. slope > 0 .and. energy > 0)
   call rcf_law_gap_conductance(1, p, 0.5_c_double, 0.5_c_double, conductance, stat)
   call check('its conductance', stat >= 0 .and. abs(conductance / (2 * slope) - 1) < 1e-9)
+  state = rc_law_slip_state(mu=0.5_c_double, nu=0.25_c_double)
+  call rcf_law_slip(1, state, 0.5_c_double, [0._c_double, 0._c_double], stat)
+  call check('pressed', stat >= 0 .and. state%p == of_it .and. all(state%shear == 0))
+  call rcf_law_slip(1, state, 0.5_c_double, [0._c_double, 1._c_double], stat)
+  call check('all slides', stat >= 0 .and. abs(state%shear(2) / (0.5 * of_it) - 1) < 1e-12 .and. state%shear(1) == 0)
+  call check('it dissipates', state%dissipated > 0)
+  state%nu = 0.6_c_double
+  call rcf_law_slip(1, state, 0.5_c_double, [0._c_double, 0._c_double], stat)
+  call check('a bad nu', stat == RC_ERR_ARGUMENT .and. abs(state%shear(2) / (0.5 * of_it) - 1) < 1e-12)
   call rcf_law_at(1, 1e3_c_double, p, slope, energy, stat)
   call check('outside', stat == RC_OUTSIDE)
   call rcf_law_at(2, 0.5_c_double, p, slope, energy, stat)

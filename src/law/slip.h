@@ -1,0 +1,11 @@
+// What slip needs of a law, and of the numbers of friction.
+#pragma once
+
+#include "law/law.h"
+
+namespace rc {
+
+void check_slips(const Law& law);                           // throws for a law from which no slip follows
+void check_friction(double mu, double nu, const char* of);  // of: the struct, for the message
+
+}  // namespace rc
