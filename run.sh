@@ -40,7 +40,7 @@ case " ${options[*]-}" in *\ --backend* | *\ --solver* | *certify_backend*) targ
 if [ $page = yes ]; then
   python3 -c 'import importlib.util as u, sys; sys.exit(not all(map(u.find_spec, ("jinja2", "numpy", "plotly"))))' ||
     { echo "--page needs packages of Python: pip install jinja2 numpy plotly (Debian: in a venv)" >&2; exit 1; }
-  targets+=(roughcontact_formats roughcontact_surface)
+  targets+=(roughcontact_request roughcontact_surface)
 fi
 
 # progress: shows the percentages of a build's output: on a terminal in one line, elsewhere in a line for each ten percent.
@@ -64,7 +64,7 @@ up_to_date() {
   local target
   [ -e "$build/built" ] || return 1
   for target in "${targets[@]}"; do [[ " $(<"$build/built") " == *" $target "* ]] || return 1; done
-  [ -z "$(find "$root"/{CMakeLists.txt,CMakePresets.json,backends,bindings,cmake,formats,include,mpi,packaging,pkgconfig,src,surface,tools} -newer "$build/built" -print -quit)" ]
+  [ -z "$(find "$root"/{CMakeLists.txt,CMakePresets.json,backends,bindings,cmake,formats,include,mpi,packaging,pkgconfig,request,src,surface,tools} -newer "$build/built" -print -quit)" ]
 }
 
 if ! up_to_date; then

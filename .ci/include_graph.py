@@ -8,7 +8,7 @@ import re
 import sys
 
 CONTACT = {f'roughcontact/{name}.h' for name in ('roughcontact', 'history', 'derivatives', 'direct', 'product', 'analysis', 'law', 'ranks', 'registry')}
-PUBLIC = CONTACT | {f'roughcontact/{name}' for name in ('mpi.h', 'plugin.h', 'surface.h', 'formats.h', 'plugin.hpp')}
+PUBLIC = CONTACT | {f'roughcontact/{name}' for name in ('mpi.h', 'plugin.h', 'surface.h', 'formats.h', 'request.h', 'plugin.hpp')}
 STEP = {f'contact{part}' for part in ('', '/surface', '/memory', '/coarse', '/sparse', '/proof', '/step')}
 LAYERS = {  # folder under src: folders it may include, each without the folders below it that stand here themselves
     'platform': {'platform'},
@@ -42,11 +42,12 @@ LAYERS = {  # folder under src: folders it may include, each without the folders
 }
 OUTSIDE = {  # other folders: public headers they may include; besides, their own files and those of dependencies
     'backends': {'roughcontact/plugin.h', 'roughcontact/plugin.hpp'},  # and backends/common, which includes no backend
-    'bindings': CONTACT | {'roughcontact/formats.h'},
-    'tools': CONTACT | {'roughcontact/surface.h', 'roughcontact/mpi.h'},
+    'bindings': CONTACT | {'roughcontact/formats.h', 'roughcontact/request.h'},
+    'tools': CONTACT | {'roughcontact/surface.h', 'roughcontact/mpi.h', 'roughcontact/request.h'},
     'mpi': {'roughcontact/mpi.h', 'roughcontact/ranks.h'},
     'surface': {'roughcontact/roughcontact.h', 'roughcontact/surface.h'},
     'formats': {'roughcontact/roughcontact.h', 'roughcontact/formats.h'},
+    'request': CONTACT | {'roughcontact/formats.h', 'roughcontact/request.h'},
     'fuzz': CONTACT | {'roughcontact/surface.h', 'roughcontact/formats.h'},
     'examples': PUBLIC,
     'integrations': PUBLIC,
@@ -56,7 +57,7 @@ OUTSIDE = {  # other folders: public headers they may include; besides, their ow
 HAAR = {'solvers/problem.h', 'solvers/haar_cg/iteration/iteration.h', 'solvers/haar_cg/starts.h', 'trees/tree_inputs.h', 'trees/tree_shape.h',
         'trees/algebra.inc'}
 BESIDE = {'core', 'abi/own_guard.h', 'abi/sized_struct.h'}
-BORROWED = {'surface': BESIDE | {'grid'}, 'formats': BESIDE | {'platform'}, 'tools': {'core/text.h', 'platform'}, 'law': {'abi/guard.h', 'abi/sized_struct.h'}, 'backends': {'platform', 'core/certificate_terms.h', 'core/start_terms.h'} | HAAR}
+BORROWED = {'surface': BESIDE | {'grid'}, 'formats': BESIDE | {'platform'}, 'request': BESIDE, 'tools': {'core/text.h', 'platform'}, 'law': {'abi/guard.h', 'abi/sized_struct.h'}, 'backends': {'platform', 'core/certificate_terms.h', 'core/start_terms.h'} | HAAR}
 WITHIN = {('cuda_host', 'cuda/tables.h')}  # one plugin, built twice
 EXCEPTIONS = {('src/registry/builtin.cpp.in', 'backends/known.def'),  # a list of names
               ('src/law/table.c', 'table.h')}  # compiled by programs without this tree

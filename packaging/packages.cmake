@@ -84,12 +84,16 @@ rc_package(libroughcontact-formats0 COMPONENTS formats SECTION libs LIBRARY roug
   SUMMARY "reads surfaces from files of instruments - shared library"
   DESCRIPTION ${rc_about} "." "This package has the library that reads surface files: X3P, Digital Surf, SDF, PLu,"
     "Gwyddion's and NumPy's files, NetCDF and text.")
+rc_package(libroughcontact-request0 COMPONENTS request SECTION libs LIBRARY roughcontact-request
+  DEPENDS libroughcontact0 libroughcontact-formats0
+  SUMMARY "turns words with units into contact problems - shared library"
+  DESCRIPTION ${rc_about} "." "This package has the library that reads what users give: surfaces, materials and loads, as words with units.")
 rc_package(libroughcontact-mpi0 COMPONENTS mpi SECTION libs LIBRARY roughcontact-mpi
   DEPENDS libroughcontact0
   SUMMARY "certified normal contact of rough surfaces - over MPI"
   DESCRIPTION ${rc_about} "." "This package has the library for contacts that the ranks of MPI share by rows.")
 rc_package(libroughcontact-dev COMPONENTS development fortran octave SECTION libdevel NOTICES eigen gsl
-  DEPENDS libroughcontact0 libroughcontact-surface0 libroughcontact-formats0
+  DEPENDS libroughcontact0 libroughcontact-surface0 libroughcontact-formats0 libroughcontact-request0
   RECOMMENDS libgsl-dev libzip-dev libpugixml-dev zlib1g-dev SUGGESTS pkg-config gfortran octave-dev
   SUMMARY "certified normal contact of rough surfaces - development files"
   DESCRIPTION ${rc_about} "." "This package has headers, static libraries, pkg-config files, a CMake package"
@@ -112,7 +116,7 @@ rc_package(roughcontact-tools COMPONENTS tools SECTION science NOTICES gsl cli11
     "surfaces, makes surfaces, and analyses them.")
 rc_package(python3-roughcontact COMPONENTS python SECTION python ALL
   DEPENDS "libroughcontact0 (>= ${PROJECT_VERSION})" "libroughcontact-surface0 (>= ${PROJECT_VERSION})"
-    "libroughcontact-formats0 (>= ${PROJECT_VERSION})" python3 python3-numpy
+    "libroughcontact-formats0 (>= ${PROJECT_VERSION})" "libroughcontact-request0 (>= ${PROJECT_VERSION})" python3 python3-numpy
   RECOMMENDS libroughcontact-backend-split SUGGESTS python3-matplotlib python3-pandas python3-xarray
   SUMMARY "certified normal contact of rough surfaces - Python module"
   DESCRIPTION ${rc_about} "." "This package has the Python module roughcontact.")

@@ -14,6 +14,7 @@ import difflib
 import pathlib
 import re
 import sys
+import textwrap
 from typing import Any, Dict, Iterable, List, Sequence, Tuple
 
 try:
@@ -30,6 +31,7 @@ HEADERS = {
     "contact": [f"roughcontact/{name}.h" for name in ("roughcontact", "history", "derivatives", "direct", "product", "analysis", "law", "registry")],
     "surface": ["roughcontact/surface.h"],
     "formats": ["roughcontact/formats.h"],
+    "request": ["roughcontact/request.h"],
     "mpi": ["roughcontact/mpi.h"],
 }
 # Functions of plugin.h that Python calls; the structs that only this header knows are handles to it.
@@ -268,7 +270,9 @@ def python_structs(interface: Interface) -> str:
                 kind = kind._replace(base=f"rc_{member}_fn")
             value = declared.initial.get(member, "0")
             begins = "" if member == "struct_size" or value in ("0", "0.0", "NULL") else f"={value}"
-            members.append((kind.base if interface.callback(kind) else python_type(kind, interface), member + begins))
+            address = kind.stars and isinstance(interface.known.get(kind.base), Struct)
+            base = kind.base if interface.callback(kind) else "handle" if address else python_type(kind, interface)
+            members.append((base, member + begins))
         groups = [f"{kind} {line}" for kind, names in grouped(members) for line in filled(names, " ", 100)]
         text = filled(groups, "; ", 108)
         quote = '"' * (1 if len(text) == 1 else 3)
@@ -314,6 +318,51 @@ def python_limits() -> str:
     return f"HARDNESSES = ({pairs})  # [Pa], the hardest first\nSMALL_STRAIN = {strain}  # largest pressure over E*"
 
 
+CALLS = ("solve", "history", "batch", "law", "analyze", "ranks")
+
+
+def words() -> List[Tuple[Any, ...]]:
+    """The rows of request/words.def, which reads as Python."""
+    rows: List[Tuple[Any, ...]] = []
+    calls = {f"RC_CALL_{name.replace('ranks', 'rows').upper()}": 1 << k for k, name in enumerate(CALLS)}
+    every = sum(calls.values())
+    text = re.sub(r"^//.*\n", "", (ROOT / "request/words.def").read_text(), flags=re.M)
+    kinds = {name: name for name in re.findall(r"RC_WORD_\w+", text)}
+    own = {"every": every, "presses": every & ~calls["RC_CALL_ANALYZE"], "elastic": "", "loading": "", "most_targets": 100000}
+    exec(text, {**calls, **kinds, **own, "nothing": "nothing presses when a surface is analysed", "RC_REQUEST_WORD": lambda *row: rows.append(row)})
+    return rows
+
+
+def python_words() -> str:
+    """The words of calls that solve; surfaces are arguments, and options of the library keywords."""
+    taken = [row for row in words() if row[1] != "RC_WORD_OPTION" and row[0] not in ("surface", "gap") and row[8] & 1]
+    lines = []
+    for name, _, _, _, form, text, *_ in taken:
+        pair = f'    "{name.replace("-", "_")}": ("{form}", "{text}"),'
+        texts = textwrap.wrap(text, 110, drop_whitespace=False)
+        pieces = [f'        "{line}"' for line in texts]
+        lines += [pair] if len(pair) <= 128 else [f'    "{name}": (', f'        "{form}",', *pieces[:-1], pieces[-1] + ",", "    ),"]
+    return "\n".join(["#: {word: (form of its value, meaning)}", "HELP = {", *lines, "}"])
+
+
+def words_page() -> str:
+    """docs/words.md: each word, its value, and where it is not taken and why."""
+    lines = [
+        "# Words",
+        "",
+        "After this page you know every word by which a surface, its bodies and its loading are described. They are the same in the",
+        "command (`--pitch 39nm`), in Python (`pitch=\"39nm\"`), in Octave (`opts.pitch = '39nm'`) and in C (`rc_given`).",
+        "",
+        "| word | value | meaning | not for |",
+        "|---|---|---|---|",
+    ]
+    for name, _, _, _, form, text, _, example, calls, why_not in words():
+        without = ", ".join(call for k, call in enumerate(CALLS) if not calls >> k & 1)
+        value = f"{form}, `{example}`" if example else form
+        lines.append(f"| `{name}` | {value} | {text} | {f'{without}: {why_not}' if without else ''} |")
+    return "\n".join(lines) + "\n"
+
+
 def python_status(interface: Interface) -> str:
     members = next(values for values in interface.enums if "RC_OK" in values)
     return "\n".join(
@@ -356,6 +405,7 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
     """{path: text}"""
     contact = read(HEADERS["contact"], include, cc)
     surface, formats, mpi = (read(HEADERS[name], include, cc, contact) for name in ("surface", "formats", "mpi"))
+    request = read(HEADERS["request"], include, cc, formats)
     mpi.types = {name: mpi.types[name] for name in FROM_MPI}
     mpi.functions = {
         name: each
@@ -364,7 +414,7 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
     }
     plugin = read(["roughcontact/plugin.h"], include, cc, contact)
     ranks = read(["roughcontact/ranks.h"], include, cc, contact)
-    every = [*HEADERS["contact"], *HEADERS["surface"], *HEADERS["formats"], "roughcontact/ranks.h"]
+    every = [*HEADERS["contact"], *HEADERS["surface"], *HEADERS["formats"], *HEADERS["request"], "roughcontact/ranks.h"]
     added = {name: plugin.functions[name] for name in FROM_PLUGIN}
     known = contact.functions.keys() | surface.functions.keys() | formats.functions.keys() | mpi.functions.keys()
     unknown = (SCALARS.keys() | OPTIONAL.keys()) - known
@@ -449,13 +499,15 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
             fortran_functions(mpi),
         ),
         f"{python}/_constants.py": python_module(
-            "The constants of the headers, under their names there.", python_constants([contact, surface, formats])
+            "The constants of the headers, under their names there.", python_constants([contact, surface, formats, request])
         ),
         f"{python}/_limits.py": python_module("Where an elastic answer stops making sense.", python_limits()),
+        f"{python}/_words.py": python_module("The words of request/words.def.", python_words()),
+        "docs/words.md": words_page(),
         f"{python}/_status.py": python_module("How a call ended.", python_status(contact)),
         f"{python}/_structs.py": python_module(
             "The structs of the headers, member by member, with the values of the RC_..._INIT macros.",
-            "\n\n\n".join(map(python_structs, (contact, surface, formats, mpi))),
+            "\n\n\n".join(map(python_structs, (contact, surface, formats, request, mpi))),
             after=["_c", "_constants"],
         ),
         f"{python}/_functions.py": python_module(
@@ -465,6 +517,7 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
                     "ContactFunctions": ("libroughcontact", contact, {**contact.functions, **added}),
                     "SurfaceFunctions": ("libroughcontact-surface", surface, surface.functions),
                     "FormatsFunctions": ("libroughcontact-formats", formats, formats.functions),
+                    "RequestFunctions": ("libroughcontact-request", request, request.functions),
                     "MpiFunctions": ("libroughcontact-mpi", mpi, mpi.functions),
                 }
             ),

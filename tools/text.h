@@ -6,10 +6,12 @@
 #include <string_view>
 
 #include "formats/wording.h"
+#include "request/names.h"
 
 namespace cli {
 
 using namespace rc::formats;
+using namespace rc::request;
 
 // The name that begins what a command says; each command defines its own.
 extern const char command_name[];

@@ -1,12 +1,11 @@
 /* rc_solve as a MEX function, for Octave and for MATLAB. Build, in this folder:
- *   mkoctfile --mex rc_solve.c $(pkg-config --cflags --libs roughcontact) \
+ *   mkoctfile --mex rc_solve.c $(pkg-config --cflags --libs roughcontact-request) \
  *     -Wl,-rpath,$(pkg-config --variable=libdir roughcontact)                 (Octave)
- *   mex rc_solve.c -I<include> -L<lib> -lroughcontact -lut                    (MATLAB) */
+ *   mex rc_solve.c -I<include> -L<lib> -lroughcontact-request -lroughcontact-formats -lroughcontact -lut (MATLAB) */
 #include <math.h>
 #include <mex.h>
 #include <roughcontact/derivatives.h>
-#include <roughcontact/registry.h>
-#include <roughcontact/roughcontact.h>
+#include <roughcontact/request.h>
 #include <signal.h>
 #include <stdarg.h>
 #include <stdbool.h>
@@ -16,10 +15,12 @@
 /* The arguments of rc_solve(z, opts). A function that fails returns a status other than RC_OK and sets message. Memory
  * is MEX's, freed when the function ends; the options are the library's, destroyed by close_request. */
 typedef struct Request {
-  rc_system system; /* z is nx by ny, first index fastest */
-  rc_step step;
+  rc_map map;      /* z is nx by ny, first index fastest */
+  rc_given* words; /* [n] fields of opts that are words or options of the library */
+  int64_t n;
+  rc_request* request; /* what they mean */
+  rc_problem_view view;
   rc_options* options;
-  uint8_t* mask;        /* NULL: all points */
   rc_accuracy accuracy; /* out */
   rc_gradient gradient; /* of a certified answer, where it is asked for */
   bool asks_gradient;
@@ -39,11 +40,12 @@ static int32_t interrupted(const rc_progress* progress, void* user) {
 }
 #endif
 
-/* Keeps the library's text, which lasts only until the next call. */
-static rc_status keep_message(Request* request, rc_status status) {
-  if (status != RC_OK) snprintf(request->message, sizeof request->message, "%s", rc_last_error());
+/* Keeps a library's text, which lasts only until the next call. */
+static rc_status keep(Request* request, rc_status status, const char* text) {
+  if (status != RC_OK) snprintf(request->message, sizeof request->message, "%s", text);
   return status;
 }
+static rc_status keep_message(Request* request, rc_status status) { return keep(request, status, rc_last_error()); }
 
 /* The own objections of rc_solve, with printf's formats. */
 static rc_status refuse(Request* request, rc_status status, const char* format, ...) {
@@ -54,100 +56,71 @@ static rc_status refuse(Request* request, rc_status status, const char* format, 
   return status;
 }
 
-static rc_status open_request(Request* request, int64_t nx, int64_t ny) {
-  *request = (Request){RC_SYSTEM_INIT, RC_STEP_INIT, NULL, NULL, RC_ACCURACY_INIT, RC_GRADIENT_INIT, false, NULL, NULL, ""};
-  request->system.nx = nx;
-  request->system.ny = ny;
-  return keep_message(request, rc_options_create(NULL, &request->options));
-}
-
 static void close_request(Request* request) {
   rc_options_destroy(request->options);
+  rc_request_destroy(request->request);
   request->options = NULL;
+  request->request = NULL;
 }
 
-/* The option whose key is `field` with '_' for '.'; 0 if there is none. The schema lists the core's keys first. */
-static int find_option(const char* field, rc_option_spec* spec) {
-  const int64_t count = rc_options_count(NULL);
+/* Reads the words: the problem and the options. */
+static rc_status read_words(Request* request) {
+  rc_request_spec spec = RC_REQUEST_SPEC_INIT;
+  spec.call = RC_CALL_SOLVE;
+  spec.numbers = RC_NUMBERS_OWN;
+  spec.spelling = RC_SPELLING_FIELD;
+  spec.words = request->words;
+  spec.n_words = request->n;
+  spec.maps = &request->map;
+  spec.n_maps = 1;
+  rc_status status = keep(request, rc_request_create(&spec, &request->request), rc_request_last_error());
+  if (status == RC_OK) status = keep(request, rc_request_problem(request->request, &request->view), rc_request_last_error());
+  if (status == RC_OK) status = keep_message(request, rc_options_create(NULL, &request->options));
+  if (status == RC_OK) status = keep(request, rc_request_options(request->request, request->options), rc_request_last_error());
+  return status;
+}
+
+/* What is assumed and doubtful, in MEX's memory; NULL: nothing. */
+static char* remarks_of(const Request* request) {
+  char text[1024] = "";
+  const int64_t count = rc_request_remark_count(request->request);
   for (int64_t i = 0; i < count; ++i) {
-    spec->struct_size = sizeof *spec;
-    if (rc_options_describe(NULL, i, spec) != RC_OK) return 0;
-    const char *a = spec->key, *b = field;
-    while (*a && (*a == *b || (*a == '.' && *b == '_'))) ++a, ++b;
-    if (!*a && !*b) return 1;
+    rc_remark remark = RC_REMARK_INIT;
+    if (rc_request_remark(request->request, i, &remark) != RC_OK || remark.severity == RC_FACT) continue;
+    const size_t used = strlen(text);
+    snprintf(text + used, sizeof text - used, "%s%s", used ? "; " : "", remark.text);
   }
-  return 0;
+  return *text ? strcpy(mxMalloc(strlen(text) + 1), text) : NULL;
 }
 
-static rc_status set_target(Request* request, int32_t control, double value) {
-  if (request->step.control) return refuse(request, RC_ERR_ARGUMENT, "give one of opts.approach and opts.load, not both");
-  request->step.control = control;
-  request->step.target = value;
-  return RC_OK;
-}
-
-/* A field of opts: hx, hy, modulus, hardness, approach, load, gradient, dJ_dload, dJ_dapproach, boundary, or an option of the
- * library with '_' for '.'. */
-static rc_status set_number(Request* request, const char* field, double value) {
-  if (!strcmp(field, "hx")) return request->system.hx = value, RC_OK;
-  if (!strcmp(field, "hy")) return request->system.hy = value, RC_OK;
-  if (!strcmp(field, "modulus")) return request->system.modulus = value, RC_OK;
-  if (!strcmp(field, "hardness")) return request->system.hardness = value, RC_OK;
-  if (!strcmp(field, "approach")) return set_target(request, RC_CONTROL_APPROACH, value);
-  if (!strcmp(field, "gradient")) return request->asks_gradient = value != 0, RC_OK;
-  if (!strcmp(field, "dJ_dload")) return request->gradient.dJ_dload = value, RC_OK;
-  if (!strcmp(field, "dJ_dapproach")) return request->gradient.dJ_dapproach = value, RC_OK;
-  if (!strcmp(field, "load")) return set_target(request, RC_CONTROL_LOAD, value);
-
-  rc_option_spec spec;
-  if (!find_option(field, &spec)) return keep_message(request, rc_options_set_real(request->options, field, value));
-  if (spec.type != RC_TYPE_INT) return keep_message(request, rc_options_set_real(request->options, spec.key, value));
-  if (!(fabs(value) <= 9007199254740992.0) || value != floor(value))
-    return refuse(request, RC_ERR_OPTION, "opts.%s = %g is not an integer", field, value);
-  return keep_message(request, rc_options_set_int(request->options, spec.key, (int64_t)value));
-}
-
-static rc_status set_text(Request* request, const char* field, const char* value) {
-  if (!strcmp(field, "boundary")) {
-    static const char* const names[] = {"free", "periodic", "periodic-x", "periodic-y"};
-    for (int32_t i = 0; i < 4; ++i)
-      if (!strcmp(value, names[i])) return request->system.boundary = RC_BOUNDARY_FREE + i, RC_OK;
-    return refuse(request, RC_ERR_ARGUMENT,
-                  "opts.boundary = \"%s\" is not known; give \"free\", \"periodic\", \"periodic-x\" or \"periodic-y\"", value);
-  }
-  rc_option_spec spec;
-  return keep_message(request, rc_options_parse(request->options, find_option(field, &spec) ? spec.key : field, value));
-}
-
-/* heights and p0 (may be NULL) have nx*ny values, as has p; gap may be NULL. */
-static rc_status solve(Request* request, const double* heights, const double* p0, double* p, double* gap, rc_result* result) {
-  if (!request->step.control) return refuse(request, RC_ERR_ARGUMENT, "give opts.approach or opts.load");
-  if (!request->system.boundary)
-    return refuse(
-        request, RC_ERR_ARGUMENT,
-        "give opts.boundary: \"periodic\" for a sample of a larger surface, as a map of roughness is; \"free\" for a body "
-        "that ends at the grid's edges, as a ball does");
-  const size_t n = (size_t)request->system.nx * (size_t)request->system.ny;
-  double* undeformed_gap = mxMalloc(n * sizeof *undeformed_gap + 1);
-  rc_status status = rc_gap_from_heights((int64_t)n, heights, request->mask, undeformed_gap);
+/* p0 (may be NULL) has nx*ny values, as has p; gap may be NULL. */
+static rc_status solve(Request* request, const double* p0, double* p, double* gap, rc_result* result) {
+  const rc_system* system = &request->view.system;
+  const bool by_approach = !strcmp(request->view.loading, "approach"), by_pressure = !strcmp(request->view.loading, "pressure");
+  const int64_t n = system->nx * system->ny;
+  double* undeformed_gap = mxMalloc((size_t)n * sizeof *undeformed_gap + 1);
+  rc_status status = rc_gap_from_heights(n, request->view.heights, request->view.mask, undeformed_gap);
   if (status != RC_OK) return keep_message(request, status);
-  request->step.undeformed_gap.data = undeformed_gap;
-  request->step.mask.data = request->mask;
-  request->step.p0.data = p0;
+  rc_step step = RC_STEP_INIT;
+  step.control = by_approach ? RC_CONTROL_APPROACH : RC_CONTROL_LOAD;
+  step.target = request->view.targets[0] * (by_pressure ? (double)n * system->hx * system->hy : 1);
+  step.undeformed_gap.data = undeformed_gap;
+  step.mask.data = request->view.mask;
+  step.p0.data = p0;
   *result = (rc_result)RC_RESULT_INIT;
   result->p.data = p;
   result->gap.data = gap;
 
   rc_contact* contact = NULL;
-  status = rc_contact_create(&request->system, request->options, &contact);
+  status = rc_contact_create(system, request->options, &contact);
   if (status == RC_OK) status = rc_contact_on_progress(contact, interrupted, NULL, 1);
-  if (status == RC_OK) status = rc_contact_solve(contact, &request->step, result);
+  if (status == RC_OK) status = rc_contact_solve(contact, &step, result);
   keep_message(request, status);
   const char* why = NULL;
   if (status >= 0 && rc_contact_explain(contact, &why) == RC_OK) request->explanation = strcpy(mxMalloc(strlen(why) + 1), why);
   if (status >= 0) rc_contact_accuracy(contact, &request->accuracy);
   if (status == RC_OK && request->asks_gradient) {
-    request->by_gap = mxCreateDoubleMatrix((size_t)request->system.nx, (size_t)request->system.ny, mxREAL);
+    request->by_gap = mxCreateDoubleMatrix((size_t)system->nx, (size_t)system->ny, mxREAL);
     request->gradient.dJ_dundeformed_gap = mxGetPr(request->by_gap);
     const rc_status found = keep_message(request, rc_contact_gradient(contact, &request->gradient));
     if (found != RC_OK && found != RC_STOP_STALLED) status = found;
@@ -184,25 +157,36 @@ static void set_mask(Request* request, const mxArray* value) {
   if (!(mxIsLogical(value) || mxIsNumeric(value)) || mxIsComplex(value) || mxGetNumberOfDimensions(value) != 2)
     check(request, refuse(request, RC_ERR_ARGUMENT, "opts.mask must be a logical matrix"));
   const long long nx = (long long)mxGetM(value), ny = (long long)mxGetN(value);
-  if (nx != request->system.nx || ny != request->system.ny)
+  if (nx != request->map.nx || ny != request->map.ny)
     check(request, refuse(request, RC_ERR_SHAPE, "opts.mask is %lld by %lld, z is %lld by %lld", nx, ny,
-                          (long long)request->system.nx, (long long)request->system.ny));
+                          (long long)request->map.nx, (long long)request->map.ny));
   const size_t n = mxGetNumberOfElements(value);
   const double* present = numbers(value);
-  request->mask = mxMalloc(n + 1);
-  for (size_t i = 0; i < n; ++i) request->mask[i] = present[i] != 0;
+  uint8_t* mask = mxMalloc(n + 1);
+  for (size_t i = 0; i < n; ++i) mask[i] = present[i] != 0;
+  request->map.mask = mask;
 }
 
+/* A field of opts that is a word or, with '_' for '.', an option of the library; hx and hy are the pitch of z. */
 static void set_field(Request* request, const char* field, const mxArray* value) {
-  if (value && mxIsChar(value) && mxGetM(value) <= 1) {
-    char* text = mxArrayToString(value);
-    check(request, set_text(request, field, text ? text : ""));
-    mxFree(text);
-  } else if (value && (mxIsNumeric(value) || mxIsLogical(value)) && !mxIsComplex(value) && mxGetNumberOfElements(value) == 1) {
-    check(request, set_number(request, field, mxGetScalar(value)));
-  } else {
-    check(request, refuse(request, RC_ERR_ARGUMENT, "opts.%s must be a number or a text", field));
+  const bool number =
+      value && (mxIsNumeric(value) || mxIsLogical(value)) && !mxIsComplex(value) && mxGetNumberOfElements(value) > 0;
+  const bool text = value && mxIsChar(value) && mxGetM(value) <= 1;
+  double* const own[] = {&request->map.hx, &request->map.hy, &request->gradient.dJ_dload, &request->gradient.dJ_dapproach};
+  static const char* const names[] = {"hx", "hy", "dJ_dload", "dJ_dapproach"};
+  if (!number && !text) check(request, refuse(request, RC_ERR_ARGUMENT, "opts.%s must be a number or a text", field));
+  for (int i = 0; i < 4; ++i)
+    if (number && !strcmp(field, names[i])) {
+      *own[i] = mxGetScalar(value);
+      return;
+    }
+  if (number && !strcmp(field, "gradient")) {
+    request->asks_gradient = mxGetScalar(value) != 0;
+    return;
   }
+  const rc_given word = {field, text ? mxArrayToString(value) : NULL, text ? NULL : numbers(value),
+                         text ? 0 : (int64_t)mxGetNumberOfElements(value)};
+  request->words[request->n++] = word;
 }
 
 static mxArray* gradient_of(const Request* request) {
@@ -245,15 +229,20 @@ static mxArray* info_of(const rc_result* result, const Request* request, mxArray
 void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
   if (nrhs != 2) mexErrMsgIdAndTxt("roughcontact:RC_ERR_ARGUMENT", "usage: [p, info] = rc_solve(z, opts)");
   const size_t nx = mxGetM(prhs[0]), ny = mxGetN(prhs[0]);
-  Request request;
-  check(&request, open_request(&request, (int64_t)nx, (int64_t)ny));
-  const double *heights = matrix(&request, "z", prhs[0]), *p0 = NULL;
+  Request request = {
+      .map = RC_MAP_INIT, .view = RC_PROBLEM_VIEW_INIT, .accuracy = RC_ACCURACY_INIT, .gradient = RC_GRADIENT_INIT};
+  request.map.word = "surface";
+  request.map.nx = (int64_t)nx;
+  request.map.ny = (int64_t)ny;
+  request.map.heights = matrix(&request, "z", prhs[0]);
+  const double* p0 = NULL;
   const struct {
     const char* name;
     const double** to;
   } fields[] = {{"p0", &p0}, {"dJ_dp", &request.gradient.dJ_dp}, {"dJ_dgap", &request.gradient.dJ_dgap}};
   if (!mxIsStruct(prhs[1]) || mxGetNumberOfElements(prhs[1]) != 1)
     check(&request, refuse(&request, RC_ERR_ARGUMENT, "opts must be a struct"));
+  request.words = mxMalloc((size_t)mxGetNumberOfFields(prhs[1]) * sizeof *request.words + 1);
   for (int k = 0; k < mxGetNumberOfFields(prhs[1]); ++k) {
     const char* field = mxGetFieldNameByNumber(prhs[1], k);
     const mxArray* value = mxGetFieldByNumber(prhs[1], 0, k);
@@ -272,10 +261,12 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
     }
   }
 
+  check(&request, read_words(&request));
+  char* const remarks = remarks_of(&request);
   plhs[0] = mxCreateDoubleMatrix(nx, ny, mxREAL);
   mxArray* gap = nlhs > 1 ? mxCreateDoubleMatrix(nx, ny, mxREAL) : NULL;
   rc_result result;
-  const rc_status status = solve(&request, heights, p0, mxGetPr(plhs[0]), gap ? mxGetPr(gap) : NULL, &result);
+  const rc_status status = solve(&request, p0, mxGetPr(plhs[0]), gap ? mxGetPr(gap) : NULL, &result);
   if (status == RC_STOP_CANCELLED) {
     close_request(&request);
     mexErrMsgIdAndTxt("roughcontact:RC_STOP_CANCELLED", "rc_solve: interrupted");
@@ -284,6 +275,7 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
   /* A warning may be an error to the user, and not return: everything is given back before. */
   if (gap) plhs[1] = info_of(&result, &request, gap);
   close_request(&request);
+  if (remarks) mexWarnMsgIdAndTxt("roughcontact:assumed", "rc_solve: %s", remarks);
   if (status != RC_OK && status != RC_WITHIN_GOAL) {
     char id[64];
     snprintf(id, sizeof id, "roughcontact:%s", rc_status_name(status));

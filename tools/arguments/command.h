@@ -13,7 +13,7 @@ struct Option {
   // The variable for the value: a required text, an optional one, texts of an option that may be repeated, or a flag.
   using Target = std::variant<std::string*, std::optional<std::string>*, std::vector<std::string>*, bool*>;
 
-  const char* name;  // without dashes: of an argument known by its place; "-o,--output": a short and a long one
+  std::string name;  // without dashes: of an argument known by its place; "-o,--output": a short and a long one
   Target target;
   const char* type;  // of the value, for --help; flags have none
   const char* help;

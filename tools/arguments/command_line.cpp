@@ -14,7 +14,7 @@ constexpr const char* solve_help = R"(
 Lengths, pressures and forces may have a unit with any SI prefix: 39nm, 210GPa, 1mN. Numbers without a unit are in m, Pa and N;
 --unit gives another unit to lengths without one, also in the file. Results are in m, Pa and N.
 
-A target is a number, a list a,b,c, or a range of n values from a to b: a:b:n with equal differences, a:b:nlog with equal ratios.
+A target is a number, a list a,b,c, or a range of n values: a..b:n with equal differences, a..b:nlog with equal ratios.
 The approach is 0 when the highest point of the surface touches. E* is E/(1-nu^2), or with --E2 and --nu2 1/((1-nu^2)/E +
 (1-nu2^2)/E2).
 
@@ -24,12 +24,8 @@ by their status), 130 interrupted (a second signal ends it at once). --resume co
 
 Command solve_command(SolveArguments& arguments) {
   Command solve{"solve", "Press a rough surface against a flat half-space", solve_help};
-  add_surface(solve, arguments.surface, "Missing points: reject (default), fill (interpolate) or exclude (from contact)");
-  add_other_body(solve, arguments.surface);
-  add_shape(solve, arguments.surface);
-  add_loading(solve, arguments);
-  solve.add("Loading (one of)", {{"--area", &arguments.area, "TARGETS", "Contact area, such as 10%; the load is searched"}});
-  add_method(solve, arguments);
+  add_words(solve, arguments.words, RC_CALL_HISTORY);
+  add_set(solve, arguments);
   solve.add(
       "Output",
       {{"--out", &arguments.out, "DIR", "Folder for summary.json, steps.csv, pressure-K.npy, gap-K.npy, contact-K.png"},
@@ -95,11 +91,10 @@ Command generate_command(GenerateArguments& arguments) {
 
 Command analyze_command(AnalyzeArguments& arguments) {
   Command analyze{"analyze", "Roughness parameters and spectrum of a surface, and advice on cmr"};
-  add_surface(analyze, arguments.surface, "Missing points: reject (default) or fill (interpolate)");
+  add_words(analyze, arguments.words, RC_CALL_ANALYZE);
   analyze.add(
       "Options",
-      {{"--periodic", &arguments.periodic, "", "The surface repeats: no window, only the mean is removed"},
-       {"--levels", &arguments.levels, "K", "Halvings of the grid for the advice on cmr (default 4)"},
+      {{"--levels", &arguments.levels, "K", "Halvings of the grid for the advice on cmr (default 4)"},
        {"--approach", &arguments.approach, "LENGTH", "Approach for the advice on cmr (default half the highest point's height)"},
        {"--json", &arguments.json, "FILE", "Write all numbers and the spectrum"},
        {"--picture", &arguments.picture, "FILE", "Draw the spectrum with the fitted range (PNG, needs gnuplot)"}});

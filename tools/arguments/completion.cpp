@@ -6,11 +6,10 @@
 #include <string_view>
 
 #include "files/step_writers.h"
-#include "formats/form.h"
 #include "formats/registry.h"
 #include "law/law_arguments.h"
 #include "library.h"
-#include "solve/problem.h"
+#include "request/words.h"
 #include "text.h"
 
 namespace cli {
@@ -41,11 +40,7 @@ Names values(std::string_view option) {
   if (option == "solver") return or_auto(rc_solver_count, rc_solver_describe);
   if (option == "backend") return or_auto(rc_backend_count, rc_backend_describe);
   if (option == "kernel") return or_auto(rc_kernel_count, rc_kernel_describe);
-  if (option == "boundary") return texts(boundary_names);
-  if (option == "missing") return texts(missing_rule_names);
-  if (option == "remove") return texts(form_names);
-  if (option == "unit") return {"m", "mm", "um", "nm", "pm"};
-  if (option == "shape") return {"sphere:R=", "cylinder:R=", "wedge:angle="};
+  if (const Word* const word = find_word(option); word && !word->choices.empty()) return texts(names_in(word->choices));
   if (option == "write") return texts(step_formats);
   if (option == "set") return keys();
   if (option == "bulk") return {"auto", "none", "mean"};

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "arguments/choices.h"
+#include "request/choices.h"
 #include "text.h"
 
 namespace cli {

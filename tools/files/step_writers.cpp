@@ -2,12 +2,12 @@
 
 #include <filesystem>
 
-#include "arguments/choices.h"
 #include "formats/error.h"
 #include "formats/numbers.h"
 #include "platform/files.h"
 #include "platform/libraries.h"
 #include "platform/process.h"
+#include "request/choices.h"
 #include "text.h"
 
 namespace cli {

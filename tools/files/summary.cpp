@@ -44,7 +44,7 @@ Summary::Summary(const Problem& problem, const std::string& checksum) {
   document_.end();
   document_.begin("input");
   document_.add({{"file", problem.input.file},
-                 {"format", problem.input.surface.format},
+                 {"format", problem.input.format},
                  {"nx", system.nx},
                  {"ny", system.ny},
                  {"hx", system.hx},
@@ -55,7 +55,7 @@ Summary::Summary(const Problem& problem, const std::string& checksum) {
                  {"assumed", problem.input.assumed},
                  {"checksum", checksum},
                  {"modulus", system.modulus},
-                 {"boundary", std::string(name_of_boundary(system.boundary))},
+                 {"boundary", name_of_boundary(system.boundary)},
                  {"crossing", crossing_of(system.boundary)},
                  {"control", problem.control}});
   if (system.hardness > 0) document_.add("hardness", system.hardness);

@@ -20,22 +20,17 @@ last node (everything is written nevertheless). An interrupted command has writt
 
 void add_making(Command& command, LawArguments& arguments) {
   SolveArguments& contact = arguments.contact;
-  add_surface(command, contact.surface, "Missing points: reject (default), fill (interpolate) or exclude (from contact)");
-  add_other_body(command, contact.surface);
-  add_shape(command, contact.surface);
-  add_elasticity(command, contact);
+  add_words(command, contact.words, RC_CALL_LAW);
+  add_set(command, contact);
   command.add(
       "Law",
-      {{"--pressure", &contact.pressure, "LOWER..UPPER", "Nominal pressures between which the tolerance holds, 1MPa..500MPa"},
-       {"--tolerance", &arguments.tolerance, "SHARE",
+      {{"--tolerance", &arguments.tolerance, "SHARE",
         "Half the distance between the bounds of the pressure, relative (default 0.1%)"},
        {"--conductance-tolerance", &arguments.conductance_tolerance, "SHARE", "The same for the conductance (default: no limit)"},
        {"--bulk", &arguments.bulk, "NAME or STIFFNESS",
         "Deformation of the bulk, which the overclosure leaves out: auto (default), none, mean (overclosure is the change of the "
         "mean gap; not for periodic boundaries), or the stiffness of the bulk in N/m"},
        {"--max-nodes", &arguments.max_nodes, "N", "Largest number of nodes, even if the tolerance is not met (default 10000)"}});
-  add_boundary(command, contact);
-  add_method(command, contact);
 }
 
 }  // namespace

@@ -8,9 +8,6 @@
 #include <tuple>
 #include <utility>
 
-#include "arguments/choices.h"
-#include "arguments/quantities.h"
-#include "arguments/targets.h"
 #include "files/outputs.h"
 #include "formats/error.h"
 #include "formats/numbers.h"
@@ -19,8 +16,11 @@
 #include "pictures/law.h"
 #include "pictures/picture_file.h"
 #include "platform/files.h"
+#include "request/choices.h"
+#include "request/quantities.h"
+#include "request/targets.h"
+#include "request/units.h"
 #include "text.h"
-#include "units.h"
 
 namespace cli {
 
@@ -147,8 +147,8 @@ std::vector<LawExport> exports_of(const LawArguments& arguments, const LawUnits&
 
 // A law may take long to make.
 void check_files(const LawArguments& arguments, const std::vector<LawExport>& exports) {
-  std::vector<std::string> inputs{arguments.contact.surface.file};
-  if (arguments.contact.surface.against) inputs.push_back(*arguments.contact.surface.against);
+  std::vector<std::string> inputs{arguments.contact.words.surface};
+  if (const auto& against = arguments.contact.words["against"]) inputs.push_back(*against);
   std::vector<std::pair<std::string, std::string>> outputs;
   for (const auto& [option, path] : {std::pair{"--output", &arguments.output}, std::pair{"--json", &arguments.json},
                                      std::pair{"--picture", &arguments.picture}}) {
@@ -174,34 +174,21 @@ void set_bulk(const std::optional<std::string>& text, const rc_system& system, r
     throw Error("--bulk: mean is for --boundary free, and the approach of this boundary is the change of the mean gap already");
 }
 
-// As the two targets of its control.
-void set_range(SolveArguments& contact) {
-  if (!contact.pressure) throw Error("--pressure is missing, give the range of the law as 1MPa..500MPa");
-  const auto dots = contact.pressure->find("..");
-  if (dots == std::string::npos) throw Error("--pressure: ", in_quotes(*contact.pressure), " is not a range, give 1MPa..500MPa");
-  contact.pressure->replace(dots, 2, ",");
-}
-
-PatchLaw make_law(LawArguments& arguments) {
+PatchLaw make_law(const LawArguments& arguments) {
   if (arguments.law_units) throw Error("--law-units is for a law that is read, and this command makes laws in m and N");
   rc_law_spec spec = RC_LAW_SPEC_INIT;
   spec.tolerance = share_or("--tolerance", arguments.tolerance, 1e-6, 0.1, spec.tolerance);
   spec.tolerance_conductance = share_or("--conductance-tolerance", arguments.conductance_tolerance, 1e-4, 1, 0);
   spec.max_nodes = whole_between("--max-nodes", arguments.max_nodes, 3, 10'000'000);
-  set_range(arguments.contact);
-  const Problem problem = make_problem(arguments.contact);
+  const Problem problem = make_problem(arguments.contact, RC_CALL_LAW);
   spec.p_lower = problem.targets.front();
   spec.p_upper = problem.targets.back();
-  if (problem.targets.size() != 2 || !(spec.p_lower > 0 && spec.p_lower < spec.p_upper))
-    throw Error("--pressure: ", with_prefix(spec.p_lower, "Pa"), " to ", with_prefix(spec.p_upper, "Pa"),
-                " is not a range that rises from a pressure above 0, give 1MPa..500MPa");
   set_bulk(arguments.bulk, problem.system, spec);
-  const std::vector<double>& heights = problem.input.surface.heights;
-  const std::uint8_t* const mask = problem.input.mask.empty() ? nullptr : problem.input.mask.data();
+  const std::span<const double> heights = problem.input.surface.heights;
   std::vector<double> gap(heights.size());
-  check(rc_gap_from_heights(static_cast<std::int64_t>(gap.size()), heights.data(), mask, gap.data()), "");
+  check(rc_gap_from_heights(std::ssize(gap), heights.data(), problem.input.mask, gap.data()), "");
   spec.undeformed_gap = gap.data();
-  spec.mask = mask;
+  spec.mask = problem.input.mask;
   Context context;
   const Options options = make_options(context, default_threads(problem.system.nx * problem.system.ny), problem.options);
   PatchLaw law;
@@ -224,7 +211,7 @@ PatchLaw make_law(LawArguments& arguments) {
 }
 
 PatchLaw read_law(const LawArguments& arguments) {
-  const std::string& file = arguments.contact.surface.file;
+  const std::string& file = arguments.contact.words.surface;
   if (const std::string option = given_for_making(arguments); !option.empty())
     throw Error(option, " is about making a law, and ", in_quotes(file), " is one already");
   PatchLaw law;
@@ -241,8 +228,12 @@ PatchLaw read_law(const LawArguments& arguments) {
 Places places_of(const LawArguments& arguments) {
   if (!arguments.at) return {};
   const bool pressures = arguments.at->find("Pa") != std::string::npos;
-  if (pressures) return {true, parse_targets("--at", *arguments.at, Dimension::pressure)};
-  return {false, parse_targets("--at", *arguments.at, Dimension::length, unit_of(arguments.contact.surface))};
+  const auto& unit = arguments.contact.words["unit"];
+  Places places{pressures};
+  for (const Quantity& each : read_targets("--at", *arguments.at, pressures ? Dimension::pressure : Dimension::length,
+                                           pressures ? 1 : length_unit("--unit", unit ? unit->c_str() : nullptr)))
+    places.values.push_back(each.si());
+  return places;
 }
 
 std::vector<LawRow> rows_at(const PatchLaw& law, const Places& places) {
@@ -271,7 +262,7 @@ bool all_proven(const PatchLaw& law, const std::vector<LawRow>& rows) {
 }  // namespace
 
 ExitCode run_law(LawArguments arguments) {
-  const bool known = is_law(arguments.contact.surface.file);
+  const bool known = is_law(arguments.contact.words.surface);
   const std::vector<LawExport> exports =
       exports_of(arguments, known ? law_units("--law-units", arguments.law_units) : LawUnits{});
   const Places places = places_of(arguments);

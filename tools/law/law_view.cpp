@@ -4,8 +4,8 @@
 #include <cstdio>
 
 #include "files/json_text.h"
+#include "request/units.h"
 #include "text.h"
-#include "units.h"
 
 namespace cli {
 

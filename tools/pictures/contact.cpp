@@ -8,8 +8,8 @@
 
 #include "pictures/panel.h"
 #include "pictures/raster.h"
+#include "request/units.h"
 #include "text.h"
-#include "units.h"
 
 namespace cli {
 
@@ -63,7 +63,7 @@ double quantile(std::vector<double> values, double fraction) {
 }
 
 // Heights in grey, and over them each pixel's share of contact in red.
-std::string height_panel(const Surface& surface, const Layout& layout, const std::vector<double>& contact) {
+std::string height_panel(const Pressed& surface, const Layout& layout, const std::vector<double>& contact) {
   const auto means = [&](auto value) { return pixel_means(surface.nx, surface.ny, layout.panel(), value); };
   const std::vector<double> present = means([&](std::size_t i) { return std::isnan(surface.heights[i]) ? 0 : 1; });
   const std::vector<double> sums = means([&](std::size_t i) { return std::isnan(surface.heights[i]) ? 0 : surface.heights[i]; });
@@ -100,7 +100,7 @@ double bright_pressure(const std::vector<double>& pressure) {
 }
 
 // A ring around the largest pressure; of several points that carry it, around the first.
-std::string ring(const Surface& surface, const Layout& layout, std::size_t point) {
+std::string ring(const Pressed& surface, const Layout& layout, std::size_t point) {
   const std::int64_t x = static_cast<std::int64_t>(point) % surface.nx, y = static_cast<std::int64_t>(point) / surface.nx;
   const auto place = [](std::int64_t i, std::int64_t count, std::int64_t pixels) {
     return (static_cast<double>(i) + 0.5) / static_cast<double>(count) * static_cast<double>(pixels);
@@ -115,7 +115,7 @@ std::string ring(const Surface& surface, const Layout& layout, std::size_t point
 
 // Each pixel's mean pressure of its points in contact, faded by their share of the pixel.
 std::string pressure_panel(const Picture& picture, const Layout& layout, const std::vector<double>& contact) {
-  const Surface& surface = picture.surface;
+  const Pressed& surface = picture.surface;
   const std::vector<double> sums =
       pixel_means(surface.nx, surface.ny, layout.panel(), [&](std::size_t i) { return picture.pressure[i]; });
   const double bright = bright_pressure(picture.pressure);

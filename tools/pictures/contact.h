@@ -4,14 +4,14 @@
 #include <cstdio>
 #include <vector>
 
-#include "formats/surface.h"
 #include "pictures/gnuplot.h"
 #include "solve/step_record.h"
+#include "surface/input.h"
 
 namespace cli {
 
 struct Picture {
-  const rc::formats::Surface& surface;  // with its pitch
+  const Pressed& surface;
   const std::vector<double>& pressure;
   const StepRecord& step;
   std::size_t steps;

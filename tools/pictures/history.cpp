@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "pictures/quarters.h"
+#include "request/units.h"
 #include "text.h"
-#include "units.h"
 
 namespace cli {
 
@@ -20,10 +20,11 @@ namespace {
 double slope_for_persson(const Problem& problem) {
   constexpr double most_skewness = 1, least_kurtosis = 2.3, most_kurtosis = 5;  // 0 and 3 for a Gaussian, 1.5 for a wave
   if (problem.system.boundary != RC_BOUNDARY_PERIODIC || problem.system.hardness > 0) return 0;
-  if (!problem.input.mask.empty() || !problem.input.shape.empty()) return 0;
-  auto map = on_grid(problem.input.surface, rc_surface_map RC_SURFACE_MAP_INIT);
-  map.heights = problem.input.surface.heights.data();
-  map.periodic = problem.input.surface.periodic.value_or(false) ? 1 : 0;
+  if (problem.input.mask || !problem.input.shape.empty()) return 0;
+  const Pressed& surface = problem.input.surface;
+  auto map = on_grid(surface.nx, surface.ny, surface.hx, surface.hy, rc_surface_map RC_SURFACE_MAP_INIT);
+  map.heights = surface.heights.data();
+  map.periodic = surface.periodic.value_or(false) ? 1 : 0;
   rc_surface_statistics statistics = RC_SURFACE_STATISTICS_INIT;
   if (rc_surface_analyze(&map, &statistics) != RC_OK) return 0;
   const bool gaussian = std::abs(statistics.skewness) < most_skewness && statistics.kurtosis > least_kurtosis &&

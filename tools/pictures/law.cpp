@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "pictures/quarters.h"
+#include "request/units.h"
 #include "text.h"
-#include "units.h"
 
 namespace cli {
 

@@ -47,8 +47,8 @@ std::string Palette::text() const {
   return text;
 }
 
-Layout::Layout(const Surface& surface) {
-  const double x = *surface.hx * static_cast<double>(surface.nx), y = *surface.hy * static_cast<double>(surface.ny);
+Layout::Layout(const Pressed& surface) {
+  const double x = surface.hx * static_cast<double>(surface.nx), y = surface.hy * static_cast<double>(surface.ny);
   double scale = std::min(usual_side / std::sqrt(x * y), longest_side / std::max(x, y));
   const double fitted = whole_cells(scale * x, surface.nx) / x;
   if (fitted * std::max(x, y) <= longest_side) scale = fitted;

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "formats/surface.h"
 #include "pictures/raster.h"
-#include "units.h"
+#include "request/units.h"
+#include "surface/input.h"
 
 namespace cli {
 
@@ -30,7 +30,7 @@ struct Palette {
 // Two panels of the same size, side by side or, if the surface is wide, above each other.
 class Layout {
  public:
-  explicit Layout(const rc::formats::Surface& surface);
+  explicit Layout(const Pressed& surface);
 
   Size canvas() const { return canvas_; }
   Size panel() const { return panel_; }

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "platform/files.h"
+#include "request/units.h"
 #include "text.h"
-#include "units.h"
 
 namespace cli {
 

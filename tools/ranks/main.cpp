@@ -23,7 +23,7 @@ namespace {
 constexpr const char* help = R"(
 Started by mpirun. Every rank reads and writes its rows of the files. Lengths, pressures and forces may have a unit with any SI
 prefix: 39nm, 210GPa, 1mN. Numbers without a unit are in m (or --unit), Pa and N. A target is a number, a list a,b,c or a range
-a:b:n of n points or a:b:nlog of n points with equal ratios.
+a..b:n of n points or a..b:nlog of n points with equal ratios.
 
 Exit code, on every rank: 0 every step is certified, 1 wrong input or a failed call, 2 a step is not certified (its results are
 written, marked by their status). --resume continues an interrupted run.
@@ -32,10 +32,8 @@ written, marked by their status). --resume continues an interrupted run.
 cli::Command whole_command(cli::RankArguments& arguments) {
   cli::Command command{"roughcontact-mpi", "Normal contact of a rough surface that the ranks of an MPI program share", help};
   cli::SolveArguments& solve = arguments.solve;
-  cli::add_surface(command, solve.surface, "Missing points: reject (default) or exclude (from contact)", true);
-  cli::add_other_body(command, solve.surface);
-  cli::add_loading(command, solve);
-  cli::add_method(command, solve, "Threads of each rank (default 1)");
+  cli::add_words(command, solve.words, RC_CALL_ROWS);
+  cli::add_set(command, solve);
   command.add("Output", {{"--out", &solve.out, "DIR", "Folder for summary.json, steps.csv, pressure-K.npy, gap-K.npy"},
                          {"--checkpoint", &arguments.checkpoint, "N", "Write the pressures of a step every N iterations"}});
   cli::add_resume(command, solve);

@@ -106,7 +106,7 @@ class Run {
     step.control = row_.problem.step_control();
     step.target = row_.problem.step_target(number - 1);
     step.undeformed_gap.data = new_gap ? row_.gap.data() : nullptr;
-    step.mask.data = new_gap && !row_.problem.input.mask.empty() ? row_.problem.input.mask.data() : nullptr;
+    step.mask.data = new_gap ? row_.problem.input.mask : nullptr;
     step.borrow = 1;
     step.warm_start = 0;
     step.p0.data = started_ ? fields_.pressure.data() : nullptr;

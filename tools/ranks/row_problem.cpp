@@ -6,14 +6,15 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 
-#include "arguments/choices.h"
-#include "arguments/quantities.h"
 #include "files/summary.h"
 #include "formats/error.h"
 #include "library.h"
+#include "request/choices.h"
+#include "request/shapes.h"
 #include "text.h"
 
 namespace cli {
@@ -45,50 +46,46 @@ std::int64_t first_point(const Communicator& ranks, std::span<const double> heig
   return first == nowhere ? -1 : first;
 }
 
-void add_other(const Communicator& ranks, const std::string& file, double unit, const std::string& name, std::int64_t nx,
-               std::int64_t ny, Rows rows, std::vector<double>& heights) {
-  const auto layout = read_layout(ranks, file);
-  if (layout.nx != nx || layout.ny != ny)
-    throw Error("--against: ", file, " has ", layout.nx, " x ", layout.ny, " points, ", name, " has ", nx, " x ", ny,
-                ": give two maps on the same grid");
-  const std::vector<double> other = read_rows(ranks, file, layout, rows);
-  for (std::size_t i = 0; i < heights.size(); ++i) heights[i] += unit * other[i];
+// The layout of a file, and the grid that the request library is told.
+struct RowMap {
+  rc::formats::NpyLayout layout;
+  rc_map map;
+};
+
+RowMap map_of(const Communicator& ranks, const char* word, const std::string& file) {
+  RowMap found{read_layout(ranks, file), RC_MAP_INIT};
+  found.map.word = word;
+  found.map.name = file.c_str();
+  found.map.nx = found.layout.nx;
+  found.map.ny = found.layout.ny;
+  return found;
 }
 
 }  // namespace
 
 RowProblem read_problem(const Communicator& ranks, const SolveArguments& arguments) {
-  RowProblem row{problem_without_surface(arguments), {}, {}, ""};
+  const GivenWords& words = arguments.words;
+  const auto& against = words["against"];
+  const bool exclude = choice("--missing", words["missing"].value_or("reject"), rules) == 1;
+  const RowMap surface = map_of(ranks, "surface", words.surface);
+  std::vector<rc_map> maps{surface.map};
+  std::optional<RowMap> other;
+  if (against) maps.push_back(other.emplace(map_of(ranks, "against", *against)).map);
+  RowProblem row{make_problem(arguments, RC_CALL_ROWS, maps.data(), std::ssize(maps)), {}, {}, {}, ""};
   Problem& problem = row.problem;
   SurfaceInput& input = problem.input;
-  const double unit = unit_of(arguments.surface);
-  const auto pitch = pitch_argument(arguments.surface.pitch, unit);
-  input.removed = "none";
-  input.missing_rule = arguments.surface.missing.value_or("reject");
-  const bool exclude = choice("--missing", input.missing_rule, rules) == 1;
-  input.file = arguments.surface.file;
-  input.against = arguments.surface.against.value_or("");
-  input.surface.format = "npy";
+  input.format = "npy";
+  const rc_system& system = problem.system;
+  const std::int64_t nx = system.nx, ny = system.ny;
+  ranks.together([&] { check(rc_mpi_rows(ranks.get(), &system, &row.rows.first, &row.rows.count), ""); });
 
-  const auto layout = read_layout(ranks, input.file);
-  const std::int64_t nx = input.surface.nx = layout.nx, ny = input.surface.ny = layout.ny;
-  input.surface.file = input.file;
-  input.surface.lengths.push_back({"heights", "", unit});
-  settle_pitch(pitch, input.surface);
-  rc::formats::Surface other;
-  other.file = input.against;
-  if (!input.against.empty()) other.lengths = input.surface.lengths;
-  settle_units(arguments.surface, &other, input);
-  problem.system.hx = *input.surface.hx;
-  problem.system.hy = *input.surface.hy;
-  problem.system.nx = nx;
-  problem.system.ny = ny;
-  settle_boundary(problem);
-  ranks.together([&] { check(rc_mpi_rows(ranks.get(), &problem.system, &row.rows.first, &row.rows.count), ""); });
-
-  std::vector<double> heights = read_rows(ranks, input.file, layout, row.rows);
+  const double unit = problem_of(input.request).metres;
+  std::vector<double> heights = read_rows(ranks, input.file, surface.layout, row.rows);
   for (double& z : heights) z *= unit;
-  if (!input.against.empty()) add_other(ranks, input.against, unit, input.file, nx, ny, row.rows, heights);
+  if (other) {
+    const std::vector<double> added = read_rows(ranks, *against, other->layout, row.rows);
+    for (std::size_t i = 0; i < heights.size(); ++i) heights[i] += unit * added[i];
+  }
   const auto where = [nx](std::int64_t point) {
     return format("ix=%lld, iy=%lld", static_cast<long long>(point % nx), static_cast<long long>(point / nx));
   };
@@ -101,7 +98,13 @@ RowProblem read_problem(const Communicator& ranks, const SolveArguments& argumen
     throw Error(input.file, ": ", input.missing, " missing values of ", nx * ny, ", first at ", where(missing),
                 "; give --missing exclude to keep them out of contact");
   if (input.missing > 0) {
-    for (const double z : heights) input.mask.push_back(std::isnan(z) ? 0 : 1);
+    for (const double z : heights) row.mask.push_back(std::isnan(z) ? 0 : 1);
+    input.mask = row.mask.data();
+  }
+  if (!input.shape.empty()) {
+    bool bare = false;
+    const Shape shape = parse_shape("--shape", input.shape, unit, bare);
+    ranks.together([&] { add_shape("--shape", shape, {nx, ny, system.hx, system.hy, row.rows.first}, true, heights); });
   }
 
   row.checksum = checksum_of_rows(ranks, heights, nx, row.rows);

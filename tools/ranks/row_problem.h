@@ -1,6 +1,7 @@
 // The problem of which every rank has some rows.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@ namespace cli {
 
 struct RowProblem {
   Problem problem;  // without heights; its mask is of this rank's rows
+  std::vector<std::uint8_t> mask;
   Rows rows;
   std::vector<double> gap;  // undeformed, of these rows
   std::string checksum;     // of all heights, on rank 0

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "surface/shapes.h"
+#include "request/units.h"
 #include "text.h"
-#include "units.h"
 
 namespace cli {
 
@@ -51,15 +50,9 @@ std::string reached(const Problem& problem, const StepRecord& step) {
 }
 
 std::string small_map(const Problem& problem, const rc_result& r) {
-  const std::optional<Shape>& shape = problem.input.body;
-  if (!shape || r.contacts == 0) return "";
-  const rc_system& s = problem.system;
-  const double x = static_cast<double>(s.nx) * s.hx, y = static_cast<double>(s.ny) * s.hy;
-  const double width = contact_width(*shape, r.load, s.modulus, shape->along_x ? x : y);
-  const double side = shape->name == "sphere" ? std::min(x, y) : shape->along_x ? y : x;
-  if (!(width > side)) return "";
-  return "Hertz' contact of this shape and load is " + with_prefix(width, "m", 2) + " wide, the map " +
-         with_prefix(side, "m", 2) + ": press a larger map";
+  rc_smooth smooth = RC_SMOOTH_INIT;
+  if (problem.input.shape.empty() || r.contacts == 0) return "";
+  return rc_request_smooth(problem.input.request.get(), r.load, &smooth) == RC_OK ? smooth.remark : "";
 }
 
 std::string conclusion(const Problem& problem, const StepRecord& last) {

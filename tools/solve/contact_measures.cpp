@@ -8,7 +8,7 @@
 namespace cli {
 
 ContactMeasures measure(const Problem& problem, const std::vector<double>& pressure) {
-  const std::uint8_t* const mask = problem.input.mask.empty() ? nullptr : problem.input.mask.data();
+  const std::uint8_t* const mask = problem.input.mask;
   ContactMeasures found;
   rc_area area = RC_AREA_INIT;
   check(rc_area_measure(&problem.system, pressure.data(), mask, &area), "");

@@ -13,15 +13,11 @@
 
 namespace cli {
 
-// In the order of RC_BOUNDARY_*.
-inline constexpr std::string_view boundary_names[] = {"free", "periodic", "periodic-x", "periodic-y"};
-inline std::string_view name_of_boundary(std::int32_t boundary) { return boundary_names[boundary - RC_BOUNDARY_FREE]; }
+// The name of RC_BOUNDARY_*.
+std::string name_of_boundary(std::int32_t boundary);
 
 struct SolveArguments {
-  SurfaceArguments surface;
-  std::optional<std::string> young, poisson, young2, poisson2, modulus, hardness;
-  std::optional<std::string> approach, load, pressure, area;
-  std::optional<std::string> boundary, kernel, solver, backend, tol, threads;
+  GivenWords words;
   std::vector<std::string> set;  // key=value
   std::optional<std::string> out, write;
   bool resume = false;
@@ -42,13 +38,8 @@ struct Problem {
   double step_target(std::size_t step) const;
 };
 
-// The boundary, if --boundary is not given: free with a --shape; else as the file says; else periodic, with a note.
-void settle_boundary(Problem& problem);
-
-// All but the surface, the size of the grid and a boundary that is not named.
-Problem problem_without_surface(const SolveArguments& arguments);
-
-// Throws an Error at the first argument that is wrong; the surface is read last.
-Problem make_problem(const SolveArguments& arguments);
+// Throws an Error at the first argument that is wrong; the surface is read last. call: RC_CALL_*; maps: of a caller that has the
+// heights.
+Problem make_problem(const SolveArguments& arguments, std::int32_t call, const rc_map* maps = nullptr, std::int64_t n_maps = 0);
 
 }  // namespace cli

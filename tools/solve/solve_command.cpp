@@ -83,7 +83,7 @@ ExitCode run_solve(const SolveArguments& arguments) {
   check_output(arguments);
   StepWriters writers;
   if (arguments.write) writers = find_step_writers(*arguments.write);
-  const Problem problem = make_problem(arguments);
+  const Problem problem = make_problem(arguments, RC_CALL_HISTORY);
   const int steps = static_cast<int>(problem.targets.size());
   Fields fields{problem.input.surface.heights.size(), problem.system.hardness > 0};
 

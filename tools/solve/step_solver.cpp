@@ -16,7 +16,7 @@ namespace {
 
 // The rms of the height differences between neighbours over the pitch; missing points are left out.
 double rms_slope(const Problem& problem) {
-  const Surface& surface = problem.input.surface;
+  const Pressed& surface = problem.input.surface;
   double sum = 0, count = 0;
   const auto add = [&](std::int64_t i, std::int64_t other, double pitch) {
     const double slope =
@@ -28,8 +28,8 @@ double rms_slope(const Problem& problem) {
   for (std::int64_t y = 0; y < surface.ny; ++y) {
     for (std::int64_t x = 0; x < surface.nx; ++x) {
       const std::int64_t i = y * surface.nx + x;
-      if (x + 1 < surface.nx) add(i, i + 1, *surface.hx);
-      if (y + 1 < surface.ny) add(i, i + surface.nx, *surface.hy);
+      if (x + 1 < surface.nx) add(i, i + 1, surface.hx);
+      if (y + 1 < surface.ny) add(i, i + surface.nx, surface.hy);
     }
   }
   return count > 0 ? std::sqrt(2 * sum / count) : 0;
@@ -42,7 +42,7 @@ double whole_area(const Problem& problem) {
 }  // namespace
 
 StepSolver::StepSolver(rc_contact* contact, const Problem& problem)
-    : contact_(contact), problem_(problem), gap_(problem.input.surface.heights) {
+    : contact_(contact), problem_(problem), gap_(problem.input.surface.heights.begin(), problem.input.surface.heights.end()) {
   check(rc_gap_from_heights(static_cast<std::int64_t>(gap_.size()), gap_.data(), nullptr, gap_.data()), "");
 }
 
@@ -55,7 +55,7 @@ void StepSolver::restore(std::vector<CertifiedStep> certified, std::vector<doubl
 void StepSolver::restore_contact() {
   rc_state state = RC_STATE_INIT;
   state.undeformed_gap = gap_.data();
-  state.mask = problem_.input.mask.empty() ? nullptr : problem_.input.mask.data();
+  state.mask = problem_.input.mask;
   if (!certified_.empty()) {
     state.p = certified_[0].pressure.data();
     state.approach = certified_[0].approach;
@@ -81,7 +81,7 @@ StepRecord StepSolver::press(int number, int32_t control, double target, Fields&
   step.control = control;
   step.target = target;
   step.undeformed_gap.data = gap_given_ ? nullptr : gap_.data();
-  step.mask.data = !gap_given_ && !problem_.input.mask.empty() ? problem_.input.mask.data() : nullptr;
+  step.mask.data = gap_given_ ? nullptr : problem_.input.mask;
   step.borrow = 1;
   gap_given_ = true;
 

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "platform/files.h"
+#include "request/units.h"
 #include "text.h"
-#include "units.h"
 
 namespace cli {
 
@@ -35,8 +35,8 @@ void print_table_head(const Problem& problem) {
   if (system.hx != system.hy) pitch += " x " + with_prefix(system.hy, "m", digits);
   std::string text = format("surface %s, %lld x %lld points, pitch ", name.c_str(), static_cast<long long>(system.nx),
                             static_cast<long long>(system.ny)) +
-                     pitch + ", E* " + with_prefix(system.modulus, "Pa", digits) + ", " +
-                     std::string(name_of_boundary(system.boundary)) + " boundary" + problem.input.preparation() + "\n";
+                     pitch + ", E* " + with_prefix(system.modulus, "Pa", digits) + ", " + name_of_boundary(system.boundary) +
+                     " boundary" + problem.input.preparation() + "\n";
   if (system.hardness > 0)
     text += "hardness " + with_prefix(system.hardness, "Pa", digits) +
             ": pressure is capped, the overlap is stored as plastic indentation\n";

@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "arguments/quantities.h"
 #include "files/json_text.h"
 #include "files/outputs.h"
 #include "formats/error.h"
@@ -14,9 +13,11 @@
 #include "pictures/picture_file.h"
 #include "pictures/spectrum.h"
 #include "platform/files.h"
+#include "request/quantities.h"
+#include "request/units.h"
+#include "solve/problem.h"
 #include "surface/analysis.h"
 #include "text.h"
-#include "units.h"
 
 namespace cli {
 
@@ -24,7 +25,7 @@ namespace {
 
 constexpr std::int64_t usual_levels = 4;  // from 256 to 16 points a side, as in the paper
 
-std::int64_t halvings(const Surface& surface, const std::optional<std::string>& text) {
+std::int64_t halvings(const Pressed& surface, const std::optional<std::string>& text) {
   if (text) {
     const auto levels = to_integer(*text);
     if (!levels || *levels < 1 || *levels > 60) throw Error("--levels: ", in_quotes(*text), " is not a whole number from 1 on");
@@ -47,7 +48,7 @@ Rings radial_spectrum(const rc_surface_map& map, const std::string& file) {
 // The fit also refuses a flat map, but does not report whether it is level or tilted.
 void refuse_flat(const Analysis& a) {
   if (a.statistics.m0 > 0) return;
-  const std::vector<double>& z = a.input.surface.heights;
+  const std::span<const double> z = a.input.surface.heights;
   const bool level = std::ranges::all_of(z, [&z](double height) { return height == z.front(); });
   const char* const after = level ? "" : a.periodic ? " after its mean is removed" : " after its plane is removed";
   throw Error(a.input.file, ": the map is flat", after, ": it has no roughness to judge");
@@ -55,13 +56,19 @@ void refuse_flat(const Analysis& a) {
 
 Analysis make_analysis(const AnalyzeArguments& arguments) {
   Analysis a{};
+  const auto& unit = arguments.words["unit"];
+  const double metres = length_unit("--unit", unit ? unit->c_str() : nullptr);
   const double approach =
-      arguments.approach ? read_positive("--approach", *arguments.approach, Dimension::length, unit_of(arguments.surface)).si()
-                         : 0;
-  a.input = read_input(arguments.surface, false);
-  a.periodic = arguments.periodic || a.input.surface.periodic.value_or(false);
+      arguments.approach ? read_positive("--approach", *arguments.approach, Dimension::length, metres).si() : 0;
+  a.input = input_of(arguments.words, make_request(arguments.words, RC_CALL_ANALYZE));
+  const std::int32_t boundary = problem_of(a.input.request).system.boundary;
+  a.periodic = boundary == RC_BOUNDARY_PERIODIC;
+  if (boundary > RC_BOUNDARY_PERIODIC)
+    throw Error("--boundary: ", name_of_boundary(boundary),
+                " is for contacts; spectra repeat along both axes or none, give periodic or free");
 
-  auto map = on_grid(a.input.surface, rc_surface_map RC_SURFACE_MAP_INIT);
+  const Pressed& surface = a.input.surface;
+  auto map = on_grid(surface.nx, surface.ny, surface.hx, surface.hy, rc_surface_map RC_SURFACE_MAP_INIT);
   map.heights = a.input.surface.heights.data();
   map.periodic = a.periodic ? 1 : 0;
   a.statistics = RC_SURFACE_STATISTICS_INIT;
@@ -132,8 +139,8 @@ void print_advice(const Analysis& a) {
 void print(const Analysis& a) {
   std::printf("surface %s, %lld x %lld points, pitch %s x %s%s, %s removed\n",
               rc_platform::path_of(a.input.file).filename().string().c_str(), static_cast<long long>(a.input.surface.nx),
-              static_cast<long long>(a.input.surface.ny), length_text(*a.input.surface.hx).c_str(),
-              length_text(*a.input.surface.hy).c_str(), a.input.preparation().c_str(), a.periodic ? "periodic, mean" : "plane");
+              static_cast<long long>(a.input.surface.ny), length_text(a.input.surface.hx).c_str(),
+              length_text(a.input.surface.hy).c_str(), a.input.preparation().c_str(), a.periodic ? "periodic, mean" : "plane");
   print_statistics(a.statistics);
   print_spectrum(a.law);
   print_advice(a);
@@ -149,11 +156,11 @@ std::string document(const Analysis& a) {
     document.end();
   };
   object("input", {{"file", a.input.file},
-                   {"format", a.input.surface.format},
+                   {"format", a.input.format},
                    {"nx", a.input.surface.nx},
                    {"ny", a.input.surface.ny},
-                   {"hx", *a.input.surface.hx},
-                   {"hy", *a.input.surface.hy},
+                   {"hx", a.input.surface.hx},
+                   {"hy", a.input.surface.hy},
                    {"removed", a.input.removed},
                    {"missing", a.input.missing},
                    {"missing_rule", a.input.missing_rule},
@@ -212,7 +219,7 @@ void analyze(const AnalyzeArguments& arguments) {
   std::vector<std::pair<std::string, std::string>> outputs;
   if (arguments.json) outputs.emplace_back("--json", *arguments.json);
   if (arguments.picture) outputs.emplace_back("--picture", *arguments.picture);
-  check_outputs({arguments.surface.file}, outputs);
+  check_outputs({arguments.words.surface}, outputs);
   const Analysis analysis = make_analysis(arguments);
   if (arguments.json) {
     const std::string text = document(analysis);

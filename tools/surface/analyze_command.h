@@ -10,9 +10,8 @@
 namespace cli {
 
 struct AnalyzeArguments {
-  SurfaceArguments surface;
+  GivenWords words;
   std::optional<std::string> levels, approach, json, picture;
-  bool periodic = false;
 };
 
 // Throws an Error for wrong input, failed calls, and files that cannot be written.

@@ -2,10 +2,10 @@
 
 #include <roughcontact/surface.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
-#include "arguments/quantities.h"
 #include "files/array_files.h"
 #include "files/outputs.h"
 #include "formats/error.h"
@@ -13,6 +13,7 @@
 #include "formats/surface.h"
 #include "library.h"
 #include "platform/files.h"
+#include "request/quantities.h"
 #include "surface/input.h"
 #include "text.h"
 
@@ -58,9 +59,13 @@ std::uint64_t seed(const GenerateArguments& arguments) {
 // A surface of the size asked for, in the unit of the command line, without heights.
 Surface empty_surface(const GenerateArguments& arguments, double unit) {
   Surface surface;
-  const auto pitch = pitch_argument(arguments.pitch, unit);
-  surface.hx = pitch ? pitch->x.in(unit) : 1;
-  surface.hy = pitch ? pitch->y.in(unit) : 1;
+  const auto pitch = read_quantities("--pitch", split(arguments.pitch ? *arguments.pitch : "1", ','), Dimension::length, unit);
+  const bool positive = std::ranges::all_of(pitch, [](const Quantity& each) { return each.number > 0; });
+  if (pitch.size() > 2 || !positive)
+    throw Error("--pitch: ", in_quotes(*arguments.pitch),
+                positive ? " has more than two numbers, give H or HX,HY" : " is not positive");
+  surface.hx = pitch.front().in(unit);
+  surface.hy = pitch.back().in(unit);
   const auto sizes = split(arguments.size ? std::string_view(*arguments.size) : "256", ',');
   if (sizes.size() > 2) throw Error("--size: ", in_quotes(*arguments.size), " has more than two numbers, give N or NX,NY");
   surface.nx = whole_number("--size", sizes.front(), 1);
@@ -100,7 +105,7 @@ Surface midpoint_displacement(const GenerateArguments& arguments, double unit) {
 Surface self_affine(const GenerateArguments& arguments, double unit) {
   Surface surface = empty_surface(arguments, unit);
   if (arguments.rms_height && arguments.rms_slope) throw Error("give only one of --rms-height and --rms-slope");
-  auto spec = on_grid(surface, rc_surface_spectral_spec RC_SURFACE_SPECTRAL_SPEC_INIT);
+  auto spec = on_grid(surface.nx, surface.ny, *surface.hx, *surface.hy, rc_surface_spectral_spec RC_SURFACE_SPECTRAL_SPEC_INIT);
   spec.seed = seed(arguments);
   spec.hurst = number_or("--hurst", arguments.hurst, spec.hurst);
   spec.q_low = wave_number("--longest", arguments.longest, unit);
@@ -116,7 +121,7 @@ Surface self_affine(const GenerateArguments& arguments, double unit) {
 
 Surface shape(const std::string& kind, const GenerateArguments& arguments, double unit) {
   Surface surface = empty_surface(arguments, unit);
-  auto spec = on_grid(surface, rc_surface_shape_spec RC_SURFACE_SHAPE_SPEC_INIT);
+  auto spec = on_grid(surface.nx, surface.ny, *surface.hx, *surface.hy, rc_surface_shape_spec RC_SURFACE_SHAPE_SPEC_INIT);
   spec.seed = seed(arguments);
   if (kind == "sphere") {
     spec.shape = arguments.paraboloid ? RC_SURFACE_PARABOLOID : RC_SURFACE_SPHERE;
@@ -144,7 +149,7 @@ Surface shape(const std::string& kind, const GenerateArguments& arguments, doubl
 }  // namespace
 
 void generate(const std::string& kind, const GenerateArguments& arguments) {
-  const double unit = length_unit(arguments.unit);
+  const double unit = length_unit("--unit", arguments.unit ? arguments.unit->c_str() : nullptr);
   const std::filesystem::path path = rc_platform::path_of(arguments.output);
   const std::string extension = path.extension().string();
   if (extension != ".npy" && extension != ".gsf")

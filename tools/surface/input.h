@@ -1,35 +1,42 @@
-// A surface as the command line asks for it: read, with its pitch settled, its form removed and its missing points treated.
+// A surface as the command line asks for it, from the request library: read, with all that the words do to it done.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "formats/surface.h"
-#include "surface/shapes.h"
+#include "arguments/given_words.h"
+#include "library.h"
 
 namespace cli {
 
-inline constexpr std::string_view missing_rule_names[] = {"reject", "fill", "exclude"};
+using Request = std::shared_ptr<const rc_request>;
 
-struct SurfaceArguments {
-  std::string file;
-  std::optional<std::string> format, pitch, unit, missing, remove;
-  std::optional<std::string> against, shape;
+// Throws an Error at the first word that is wrong, before the file is read. map: null, or in place of the file.
+Request make_request(const GivenWords& words, std::int32_t call, const rc_map* maps = nullptr, std::int64_t n_maps = 0);
+rc_problem_view problem_of(const Request& request);
+
+// Heights on a grid [m]; excluded points are NaN.
+struct Pressed {
+  std::int64_t nx = 0, ny = 0;
+  double hx = 0, hy = 0;
+  std::span<const double> heights{};
+  std::optional<bool> periodic{};  // as the file says
 };
 
 struct SurfaceInput {
-  std::string file;
-  rc::formats::Surface surface;    // with its pitch; excluded points have the height NaN
-  std::string against;             // file of the other body's heights, which were added; "" if it is flat
-  std::string shape;               // that was added, as given; "" if none
-  std::optional<Shape> body;       // the same
-  std::string removed;             // "none", "mean", "plane" or "quadric"
-  std::int64_t missing = 0;        // points
-  std::string missing_rule;        // what was done with them: "reject" (there are none), "fill" or "exclude"
-  std::vector<std::uint8_t> mask;  // 0: excluded; empty if no point is
+  Request request;
+  std::string file, format;
+  Pressed surface;
+  std::string against;                 // file of the other body's heights, which were added; "" if it is flat
+  std::string shape;                   // that was added, as given; "" if none
+  std::string removed;                 // "none", "mean", "plane" or "quadric"
+  std::int64_t missing = 0;            // points
+  std::string missing_rule;            // what was done with them: "reject" (there are none), "fill" or "exclude"
+  const std::uint8_t* mask = nullptr;  // 0: excluded; null if no point is
   std::string assumed;  // the unit that is taken for lengths without one, in words; "" if there is none or it was given
   std::vector<std::string> notes;  // what the user should know about the choices made
 
@@ -39,22 +46,14 @@ struct SurfaceInput {
 };
 
 // A struct of the surface library with the grid of a surface.
-template <class Struct> Struct on_grid(const rc::formats::Surface& surface, Struct made) {
-  made.nx = surface.nx;
-  made.ny = surface.ny;
-  made.hx = *surface.hx;
-  made.hy = *surface.hy;
+template <class Struct> Struct on_grid(std::int64_t nx, std::int64_t ny, double hx, double hy, Struct made) {
+  made.nx = nx;
+  made.ny = ny;
+  made.hx = hx;
+  made.hy = hy;
   return made;
 }
 
-// Metres per --unit.
-double unit_of(const SurfaceArguments& arguments);
-
-// Checks --unit against the files, and notes what is assumed if it was not given. other: null if there is no other body.
-void settle_units(const SurfaceArguments& arguments, const rc::formats::Surface* other, SurfaceInput& input);
-
-// Throws an Error at the first argument that is wrong, before the file is read. `can_exclude`: whether the caller can leave
-// points out.
-SurfaceInput read_input(const SurfaceArguments& arguments, bool can_exclude);
+SurfaceInput input_of(const GivenWords& words, Request request);
 
 }  // namespace cli

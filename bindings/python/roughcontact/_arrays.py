@@ -2,7 +2,7 @@
 
 import ctypes
 import operator
-from typing import Any, Dict, Optional, Sequence, Tuple, Type, Union
+from typing import Any, Optional, Sequence, Tuple, Type, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,6 +14,8 @@ from ._device import DeviceArray, on_host
 from ._errors import ArgumentError, RoughContactError, ShapeError
 from ._structs import rc_array, rc_const_array
 
+_KINDS = {"float64": doubles, "float32": singles, "int64": integers, "int32": statuses, "uint8": bytes_}
+_POINTERS = {np.dtype(name): ctype(kind) for name, kind in _KINDS.items()}
 Doubles = NDArray[np.float64]
 Reals = Union[Doubles, NDArray[np.float32]]
 Mask = NDArray[np.uint8]
@@ -159,10 +161,7 @@ def columns_and_rows(shape: Shape) -> Tuple[int, int]:
 
 def pointer(array: Optional[NDArray[Any]]) -> Any:
     """A pointer to an array's first element; None for None. The array must be kept as long as the pointer is used."""
-    if array is None:
-        return None
-    kinds: Dict[str, Any] = {"float64": doubles, "float32": singles, "int64": integers, "int32": statuses, "uint8": bytes_}
-    return array.ctypes.data_as(ctype(kinds[array.dtype.name]))
+    return None if array is None else array.ctypes.data_as(_POINTERS[array.dtype])
 
 
 def doubles_at(array: Union[rc_array, rc_const_array], shape: Shape) -> Doubles:

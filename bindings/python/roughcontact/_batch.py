@@ -10,36 +10,31 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _constants
-from ._arrays import Doubles, Mask, Pitch, as_doubles, as_mask, as_switch, given, refuse_one_row
+from ._arrays import as_doubles, as_mask, as_switch, given
 from ._calls import Callbacks, conclude, interruptible, short_traceback
-from ._elastic import Constant, modulus_of, needed_modulus
 from ._data_arrays import in_order
 from ._errors import ArgumentError, ShapeError, as_status
 from ._library import contact_library
 from ._files import is_file
-from ._height_map import gap_below, same_pitch
-from ._keywords import in_metres, options_of, prescribed, refuse_two_sources
-from ._maps import as_surface, gap_and_pitch, gap_in_metres
+from ._height_map import Stack, same_pitch
+from ._keywords import split_words
+from ._maps import as_surface
 from ._progress import Bars
+from ._request import pressed
 from ._status import Status
 from ._structs import rc_batch, rc_batch_fn, rc_batch_progress_fn
 from ._threads import with_threads
-from .contact import refuse_another_pitch
 from .context import Context, Options, OptionSet
 from .result import BatchResult, Grid, Result, result_with_copies
-from .system import HalfSpace, System, boundary_of
+from .system import System
 
 
 @short_traceback
 def batch(
     heights: Any = None,
     *,
-    approach: Optional[ArrayLike] = None,
-    load: Optional[ArrayLike] = None,
-    pressure: Optional[ArrayLike] = None,
     undeformed_gap: Optional[ArrayLike] = None,
     mask: Optional[ArrayLike] = None,
-    missing: str = "reject",
     start: Optional[ArrayLike] = None,
     warm_start: Optional[bool] = None,
     virgin: Optional[bool] = None,
@@ -51,17 +46,10 @@ def batch(
     each: Optional[Callable[[int, int, Result], object]] = None,
     check: bool = True,
     system: Optional[System] = None,
-    pitch: Optional[Pitch] = None,
-    modulus: Optional[float] = None,
-    E: Optional[Constant] = None,
-    nu: Optional[Constant] = None,
-    boundary: Optional[str] = None,
-    unit: Optional[str] = None,
-    hardness: Optional[float] = None,
     options: Options = None,
     progress: bool = False,
     context: Optional[Context] = None,
-    **keywords: Any,
+    **words: Any,
 ) -> BatchResult:
     """Solves the histories of many contacts on one grid, each as by `history`: the same bits, whatever the number of threads.
 
@@ -81,12 +69,27 @@ def batch(
     progress: whether a bar of the package tqdm shows how many steps are solved
     options: {"threads": 4} for four contacts at the same time, otherwise as many as there are cores, with `each` one;
         {"time_limit": 60} for seconds of the whole batch
-    the others: as in `solve`
+    the others, and the words: as in `solve`
     """
-    modulus, options = modulus_of(modulus, E, nu), options_of(batch, options, keywords, context)
-    system, gaps, masks = _surfaces(heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit, hardness)
-    what = prescribed(system, approach=in_metres(approach, unit), load=load, pressure=pressure)
-    targets = np.atleast_1d(as_doubles(what.targets, what.name))
+    given_words, options = split_words(batch, options, words, context)
+    leading = 0
+    if heights is not None:
+        if mask is not None and _is_sequence_of_surfaces(heights):
+            raise ArgumentError("mask and a sequence of surfaces are both given; surfaces bring their masks")
+        heights, leading = _stacked(heights, given_words, system)
+    elif undeformed_gap is not None:
+        leading = int(np.ndim(undeformed_gap) > (2 if system is None else len(system.shape)))
+    axes = 2 if system is None else len(system.shape)
+    of_one_surface = leading == 0 and mask is not None and np.ndim(mask) > axes  # each contact has a mask, all the same surface
+    problem = pressed(
+        _constants.RC_CALL_BATCH, heights, undeformed_gap, None if of_one_surface else mask, system, given_words, leading
+    )
+    system, gaps, masks, what = problem.system, problem.gap, problem.mask, problem.needed()
+    if of_one_surface:
+        masks = as_mask(mask, "mask")
+    elif leading and masks is not None and mask is not None and np.ndim(mask) == axes and problem.request.view.missing == 0:
+        masks = masks[0]
+    targets = np.atleast_1d(what.targets)
     if targets.ndim > 2:
         raise ShapeError(f"{what.name} has {targets.ndim} axes: [contacts, steps], [steps] or one number")
     if targets.shape[-1] == 0:
@@ -118,11 +121,13 @@ def batch(
     statuses = np.full((n, steps), int(Status.STOP_CANCELLED), np.int32)
     pressures = np.zeros((n, *system.shape)) if keep_pressure else None
 
-    struct = given(rc_batch(), control=what.control, warm_start=as_switch(warm_start), virgin=as_switch(virgin), n=n, steps=steps)
+    struct = given(
+        rc_batch(), control=what.control, warm_start=as_switch(warm_start), virgin=as_switch(virgin), n=n, steps=steps
+    )
     given(struct, targets=targets, undeformed_gap=gaps, mask=masks, p0=starts, p=pressures)
     given(struct.columns, status=statuses, **out, **whole)
-    for name, array, own in (("target", targets, 2), ("undeformed_gap", gaps, axes + 1), ("mask", masks, axes + 1)):
-        setattr(struct, f"{name}_stride", _constants.RC_BATCH_SHARED if array is not None and array.ndim < own else 0)
+    for name, array, most in (("target", targets, 2), ("undeformed_gap", gaps, axes + 1), ("mask", masks, axes + 1)):
+        setattr(struct, f"{name}_stride", _constants.RC_BATCH_SHARED if array is not None and array.ndim < most else 0)
 
     shared = masks if masks is not None and masks.ndim == axes else None
     grid = Grid(system.shape, system.pitch, system.periodic, shared, system.modulus)
@@ -163,65 +168,22 @@ def batch(
     return answer
 
 
-def _surfaces(
-    heights: Any,
-    undeformed_gap: Optional[ArrayLike],
-    mask: Optional[ArrayLike],
-    missing: str,
-    system: Optional[System],
-    pitch: Optional[Pitch],
-    modulus: Optional[float],
-    boundary: Optional[str],
-    unit: Optional[str],
-    hardness: Optional[float],
-) -> Tuple[System, Doubles, Optional[Mask]]:
-    """(system, gaps, masks), the arrays with an axis for contacts where they are not shared."""
-    given: Any = {"pitch": pitch, "modulus": modulus, "boundary": boundary, "unit": unit, "hardness": hardness}
-    refuse_two_sources(heights, undeformed_gap, system, **given)
-    periodic: Optional[bool] = None
-    if heights is not None and _is_sequence_of_surfaces(heights):
-        if mask is not None:
-            raise ArgumentError("mask and a sequence of surfaces are both given; surfaces bring their masks")
-        each = [as_surface(one, pitch, missing=missing, unit=unit) for one in heights]
-        if any(one.shape != each[0].shape or not same_pitch(one.pitch, each[0].pitch) for one in each):
-            raise ShapeError("the surfaces differ in shape or pitch; a batch has one grid")
-        if system is not None:
-            refuse_another_pitch(each[0], system)
-        if boundary is None and system is None and any(one.periodic != each[0].periodic for one in each):
-            raise ArgumentError("the surfaces differ in whether they repeat; give boundary='free' or 'periodic'")
-        pitch, periodic = each[0].pitch, each[0].periodic
-        gaps = np.stack([one.undeformed_gap() for one in each])
-        masks = None
-        if any(one.mask is not None for one in each):
-            masks = np.stack([np.ones(one.shape, np.uint8) if one.mask is None else one.mask for one in each])
-    elif heights is not None:
+def _stacked(heights: Any, words: Dict[str, Any], system: Optional[System]) -> Tuple[Any, int]:
+    """(what is pressed, its axes that count surfaces): a sequence of surfaces becomes one stack in metres, or in their unit."""
+    if not _is_sequence_of_surfaces(heights):
         alone = not isinstance(heights, (np.ndarray, list, tuple))
         axes = 0 if alone else np.ndim(in_order(heights))
-        leading = 0 if alone or axes == (2 if system is None else len(system.shape)) else 1
-        otherwise = None if system is None else system.pitch
-        surface = as_surface(heights, pitch, mask=mask, missing=missing, unit=unit, leading=leading, otherwise=otherwise)
-        gaps, masks = gap_below(surface.heights, surface.mask, leading), surface.mask
-        if system is not None:
-            refuse_another_pitch(surface, system)
-        pitch, periodic = surface.pitch, surface.periodic
-    else:
-        gaps, masks = as_doubles(gap_in_metres(undeformed_gap, unit), "undeformed_gap"), as_mask(mask, "mask")
-        if system is None:
-            refuse_one_row(gaps, "undeformed_gap", pitch)
-            if pitch is not None:
-                _, pitch = gap_and_pitch(undeformed_gap, pitch, unit)
-    if system is None:
-        modulus = needed_modulus(modulus, None, None, ", or system=")
-        if pitch is None:
-            raise ArgumentError("pitch is missing: the distance of neighbouring points, one number or (hx, hy); or system=")
-        system = HalfSpace(
-            gaps.shape[-2:], pitch=pitch, modulus=modulus, boundary=boundary_of(boundary, periodic), hardness=hardness
-        )
-    axes = len(system.shape)
-    for name, array in (("heights or undeformed_gap", gaps), ("mask", masks)):
-        if array is not None and (array.shape[-axes:] != system.shape or array.ndim > axes + 1):
-            raise ShapeError(f"{name} has shape {array.shape}; {system.shape} or (contacts, *{system.shape}) is needed")
-    return system, gaps, masks
+        return heights, 0 if alone or axes == (2 if system is None else len(system.shape)) else 1
+    otherwise = words.get("pitch") if system is None else system.pitch
+    pitch, unit = (words.pop(name, None) for name in ("pitch", "unit"))
+    each = [as_surface(one, pitch, missing="exclude", unit=unit, otherwise=otherwise) for one in heights]
+    first = each[0]
+    if any(one.shape != first.shape or not same_pitch(one.pitch, first.pitch) for one in each):
+        raise ShapeError("the surfaces differ in shape or pitch; a batch has one grid")
+    if words.get("boundary") is None and system is None and any(one.periodic != first.periodic for one in each):
+        raise ArgumentError("the surfaces differ in whether they repeat; give boundary='free' or 'periodic'")
+    heights = np.stack([np.where(one.missing, np.nan, one.heights) for one in each])
+    return Stack(heights, first.pitch, first.periodic, None, first.unit), 1
 
 
 def _is_sequence_of_surfaces(thing: Any) -> bool:

@@ -73,27 +73,32 @@ def surface_in(
     found, assumes_metres = surface_and_doubt(file, pitch, unit, format, otherwise)
     if assumes_metres:
         warn(
-            f"{_name_of(file) or 'the file'} does not name the unit of all its lengths: m is taken; pass unit='m' if that is right, "
+            f"{name_of(file) or 'the file'} does not name the unit of all its lengths: m is taken; pass unit='m' if that is right, "
             "else their unit",
             AssumedUnit,
         )
     return found
 
 
-def other_surface_in(file: File, unit: Optional[str], otherwise: Pitch) -> Surface:
-    """The file of another body; unit is passed over if the file names the units of all its lengths."""
-    start = cast(IO[bytes], file).tell() if unit is not None and _is_open(file) else 0
-    if unit is None:
-        return surface_in(file, otherwise=otherwise)
-    found, assumes_metres = surface_and_doubt(file, None, None, None, otherwise)
-    if assumes_metres and _is_open(file):
-        cast(IO[bytes], file).seek(start)
-    return surface_in(file, None, unit, None, otherwise) if assumes_metres else found
-
-
-def _name_of(file: File) -> str:
+def name_of(file: File) -> str:
     named: Any = "" if isinstance(file, bytes) else getattr(file, "name", "") if _is_open(file) else file
     return os.fsdecode(named) if isinstance(named, (str, bytes, os.PathLike)) else ""
+
+
+def contents_of(file: File) -> bytes:
+    """With Python's exception where it cannot be opened."""
+    if isinstance(file, bytes):
+        return file
+    if _is_open(file):
+        contents = cast(IO[bytes], file).read()
+        if not isinstance(contents, bytes):
+            raise ArgumentError("the file is open as text; open it with mode 'rb'")
+        return contents
+    try:
+        with open(name_of(file), "rb") as stream:
+            return stream.read()
+    except OSError as error:
+        raise of_a_file(error) from None
 
 
 def surface_and_doubt(
@@ -104,22 +109,8 @@ def surface_and_doubt(
     if pitch is not None:
         spec.hx, spec.hy = as_pitch(pitch)
     library, out = formats_library(), rc_surface_file()
-    contents = file if isinstance(file, bytes) else None
-    name = _name_of(file)
-    if _is_open(file):
-        contents = cast(IO[bytes], file).read()
-        if not isinstance(contents, bytes):
-            raise ArgumentError("the file is open as text; open it with mode 'rb'")
-    elif contents is None:
-        try:
-            with open(name, "rb"):  # Python's exception where that is not possible
-                pass
-        except OSError as error:
-            raise of_a_file(error) from None
-    if contents is None:
-        status = library.rc_surface_read(os.fsencode(name), spec, out)
-    else:
-        status = library.rc_surface_read_memory(contents, len(contents), os.fsencode(name), spec, out)
+    name, contents = name_of(file), contents_of(file)
+    status = library.rc_surface_read_memory(contents, len(contents), os.fsencode(name), spec, out)
     try:
         check_formats(status)
     except ArgumentError as error:
@@ -128,7 +119,7 @@ def surface_and_doubt(
         unknown = "unknown format" in text or PACKAGE in text
         if not unknown and (format is None or format in {each.name for each in formats()}):
             raise
-        source = name if contents is None else io.BytesIO(contents)
+        source = io.BytesIO(contents) if _is_open(file) or isinstance(file, bytes) else name
         return _read_by_surface_topography(source, name, pitch, unit, format, otherwise, error)
     try:
         heights = np.ctypeslib.as_array(out.heights, (out.ny, out.nx)).copy()

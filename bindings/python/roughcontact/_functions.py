@@ -127,6 +127,21 @@ class FormatsFunctions(Protocol):
     rc_surface_fill: Callable[[int64_t, int64_t, double, double, doubles], rc_status]
 
 
+class RequestFunctions(Protocol):
+    """libroughcontact-request"""
+
+    rc_request_last_error: Callable[[], text]
+    rc_word_count: Callable[[], int64_t]
+    rc_word_describe: Callable[[int64_t, rc_word], rc_status]
+    rc_request_create: Callable[[rc_request_spec, handles], rc_status]
+    rc_request_destroy: Callable[[handle], None]
+    rc_request_problem: Callable[[handle, rc_problem_view], rc_status]
+    rc_request_options: Callable[[handle, handle], rc_status]
+    rc_request_remark_count: Callable[[handle], int64_t]
+    rc_request_remark: Callable[[handle, int64_t, rc_remark], rc_status]
+    rc_request_smooth: Callable[[handle, double, rc_smooth], rc_status]
+
+
 class MpiFunctions(Protocol):
     """libroughcontact-mpi"""
 

@@ -168,7 +168,7 @@ def gap_below(heights: Doubles, mask: Optional[NDArray[Any]], leading: int) -> D
     """max - heights; the first `leading` axes count surfaces that each have a highest point of their own."""
     given, gap = as_doubles(heights, "heights"), np.empty(heights.shape)
     masks = None if mask is None else np.ascontiguousarray(np.broadcast_to(mask, heights.shape))
-    for i in np.ndindex(heights.shape[:leading]):
+    for i in np.ndindex(heights.shape[:leading]) if leading else [...]:
         there = None if masks is None else pointer(masks[i])
         check(contact_library().rc_gap_from_heights(gap[i].size, pointer(given[i]), there, pointer(gap[i])))
     return gap

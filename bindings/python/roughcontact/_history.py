@@ -11,7 +11,7 @@ from ._arrays import Doubles, Mask, as_doubles, as_switch, doubles_at, given
 from ._calls import Callbacks
 from ._errors import ArgumentError, as_status
 from ._handle import Handle
-from ._keywords import Prescribed
+from ._request import Prescribed
 from ._library import contact_library
 from ._structs import rc_history, rc_history_fn
 from ._measures import measures_of
@@ -33,13 +33,13 @@ def history_on(
     check: bool,
 ) -> HistoryResult:
     """`history` on a contact that exists."""
-    values = np.atleast_1d(as_doubles(what.given, what.name))
+    values = np.atleast_1d(what.given)
     if values.ndim != 1:
         raise ArgumentError(f"{what.name} has {values.ndim} axes: one value for each step is needed")
     n = len(values)
     if n == 0:
         raise ArgumentError(f"{what.name} is empty: one value for each step is needed")
-    targets, tangents = np.atleast_1d(as_doubles(what.targets, what.name)), np.empty(n) if stiffness else None
+    targets, tangents = np.atleast_1d(what.targets), np.empty(n) if stiffness else None
     pressures = np.zeros((n, *contact.system.shape)) if keep_pressure else None
     results: List[Result] = []
 

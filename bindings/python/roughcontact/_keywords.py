@@ -1,21 +1,17 @@
-"""What several functions take: options by their names, and one of approach, load and mean pressure."""
+"""What several functions take: words, and options by their names."""
 
 from __future__ import annotations
 
 import difflib
 import inspect
-from dataclasses import dataclass
-from typing import Any, Callable, Dict, Mapping, Optional
+import textwrap
+from typing import Any, Callable, Dict, Mapping, Optional, Tuple, TypeVar
 
-import numpy as np
-from numpy.typing import ArrayLike
-
-from . import _constants
-from ._elastic import refuse_text
 from ._errors import ArgumentError
-from ._units import metres_of
+from ._words import HELP
 from .context import Context, Options, options as all_options
-from .system import System
+
+F = TypeVar("F", bound=Callable[..., Any])
 
 #: words of the field that are no keywords, and the keywords that mean the same
 _SAME = {
@@ -41,7 +37,7 @@ def options_of(
     keys = {spec.key.replace(".", "_").replace("-", "_"): spec.key for spec in all_options(context)}
     for name, value in keywords.items():
         if name not in keys:
-            known = [*inspect.signature(function).parameters, *keys]
+            known = [*inspect.signature(function).parameters, *HELP, *keys]
             begun = (
                 [name]
                 if name in _SAME
@@ -57,55 +53,18 @@ def options_of(
     return chosen
 
 
-@dataclass(frozen=True)
-class Prescribed:
-    """What presses: name: "approach", "load" or "pressure"; given: its values; control, targets: the same as C has it."""
-
-    name: str
-    given: Any
-    control: int
-    targets: Any
-
-    def target(self) -> float:
-        """The value of a call that solves one step."""
-        if np.size(self.given) != 1:
-            raise ArgumentError(
-                f"{self.name} has {np.size(self.given)} values, and this call solves one step; roughcontact.history and "
-                "Contact.history solve one step for each"
-            )
-        return float(np.ravel(self.targets)[0])
+def split_words(
+    function: Callable[..., Any], given: Options, keywords: Mapping[str, Any], context: Optional[Context]
+) -> Tuple[Dict[str, Any], Options]:
+    """(words, options) of a call."""
+    words = {name: value for name, value in keywords.items() if name in HELP}
+    return words, options_of(function, given, {name: value for name, value in keywords.items() if name not in HELP}, context)
 
 
-def prescribed(system: System, **ways: Optional[ArrayLike]) -> Prescribed:
-    """The one that is given of approach, load and pressure, which is a mean one, over the whole grid."""
-    refuse_text(**ways)
-    found = [name for name, value in ways.items() if value is not None]
-    if len(found) != 1:
-        which = f"{' and '.join(found)} are {'both' if len(found) == 2 else 'all'} given" if found else "nothing presses"
-        raise ArgumentError(f"{which}: one of {', '.join(ways)} is needed")
-    name, given = found[0], ways[found[0]]
-    if name == "approach":
-        return Prescribed(name, given, _constants.RC_CONTROL_APPROACH, given)
-    if name == "pressure":
-        area = float(np.prod(system.shape)) * system.pitch[0] * system.pitch[1]
-        return Prescribed(name, given, _constants.RC_CONTROL_LOAD, np.asarray(given, float) * area)
-    return Prescribed(name, given, _constants.RC_CONTROL_LOAD, given)
-
-
-def in_metres(lengths: Optional[ArrayLike], unit: Optional[str]) -> Any:
-    """Lengths as they are if no unit is given for them."""
-    if lengths is None or unit is None:
-        return lengths
-    refuse_text(approach=lengths)
-    return np.asarray(lengths, float) * metres_of(unit)
-
-
-def refuse_two_sources(heights: Any, undeformed_gap: Any, system: Optional[System], **given: Any) -> None:
-    """Unless there is one of heights and gap, and nothing beside a system that it has."""
-    if (heights is None) == (undeformed_gap is None):
-        raise ArgumentError(
-            f"{'both are' if heights is not None else 'neither is'} given: one of heights, undeformed_gap is needed"
-        )
-    twice = [name for name, value in given.items() if value is not None]
-    if system is not None and twice:
-        raise ArgumentError(f"{', '.join(twice)} and system are both given; the system has them")
+def documented(function: F) -> F:
+    """function, with the words in its docstring."""
+    if function.__doc__:
+        lines = [f"{name}: {form}. {text}" for name, (form, text) in HELP.items()]
+        wrapped = [textwrap.fill(line, 124, initial_indent="    ", subsequent_indent="        ") for line in lines]
+        function.__doc__ = "\n".join([function.__doc__.rstrip(), "", *wrapped, "    "])
+    return function

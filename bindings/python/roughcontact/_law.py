@@ -10,16 +10,15 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _constants, plot
-from ._arrays import Doubles, Pitch, as_doubles, pointer
+from ._arrays import Doubles, as_doubles, pointer
 from ._calls import Callbacks, check, conclude, interruptible, last_message
-from ._elastic import Constant, modulus_of
 from ._errors import ArgumentError
 from ._handle import Progress, progress_caller
-from ._keywords import options_of
+from ._keywords import split_words
 from ._library import contact_library
 from ._paths import Path, as_path
+from ._request import pressed
 from ._slip import Slip
-from ._solve import system_for
 from ._status import Status
 from ._structs import rc_law_export_spec, rc_law_info, rc_law_node, rc_law_point, rc_law_spec, rc_progress_fn
 from ._threads import with_threads
@@ -27,11 +26,7 @@ from ._use import OwnsHandle
 from .context import Context, Options, OptionSet
 from .system import System
 
-BULK = {
-    "auto": _constants.RC_LAW_BULK_AUTO,
-    "none": _constants.RC_LAW_BULK_NONE,
-    "mean": _constants.RC_LAW_BULK_MEAN,
-}
+BULK = {"auto": _constants.RC_LAW_BULK_AUTO, "none": _constants.RC_LAW_BULK_NONE, "mean": _constants.RC_LAW_BULK_MEAN}
 FORMATS = {
     "csv": _constants.RC_LAW_CSV,
     "calculix": _constants.RC_LAW_CALCULIX,
@@ -192,59 +187,44 @@ def _members(struct: Any) -> Dict[str, Any]:
 def law(
     heights: Any = None,
     *,
-    pressure: Tuple[float, float],
+    pressure: Union[str, Tuple[float, float]],
     tolerance: float = 1e-3,
     conductance_tolerance: float = 0,
     bulk: Union[str, float] = "auto",
     undeformed_gap: Optional[ArrayLike] = None,
     system: Optional[System] = None,
-    pitch: Optional[Pitch] = None,
-    modulus: Optional[float] = None,
-    E: Optional[Constant] = None,
-    nu: Optional[Constant] = None,
-    boundary: Optional[str] = None,
-    hardness: Optional[float] = None,
     mask: Optional[ArrayLike] = None,
-    missing: str = "reject",
-    unit: Optional[str] = None,
-    area: float = 0,
+    nominal_area: float = 0,
     max_nodes: int = 0,
     check_status: bool = True,
     progress: Optional[Callable[[Progress], object]] = None,
     options: Options = None,
     context: Optional[Context] = None,
-    **keywords: Any,
+    **words: Any,
 ) -> Law:
     """The contact law of a rough patch.
 
-    pressure: nominal pressures (lower, upper) between which the tolerance holds [force/length^2]
+    pressure: nominal pressures (lower, upper) between which the tolerance holds [force/length^2]; or "1MPa..500MPa"
     tolerance, conductance_tolerance: half the distance between the bounds, relative; conductance_tolerance=0: no limit
     bulk: "auto", "none", "mean", or a stiffness [force/length], see `rc_law_spec`
     check_status: False: a law whose tolerance is not proven is returned, with its status, instead of a `NotCertifiedError`
     progress: called with a `Progress` once an iteration of each node's solve, on the thread that solves; True ends the call with a
         `NotCertifiedError`
-    Other arguments as in `solve` and `rc_law_spec`.
+    nominal_area: as `rc_law_spec.area`
+    Other arguments and words as in `solve` and `rc_law_spec`.
     """
-    options = options_of(law, options, keywords, context)
-    found, gap, points, _ = system_for(
-        heights,
-        undeformed_gap,
-        mask,
-        missing,
-        system,
-        pitch,
-        modulus_of(modulus, E, nu),
-        boundary,
-        unit,
-        hardness,
-        None,
-        None,
-        None,
-    )
+    given_words, options = split_words(law, options, words, context)
+    what = pressed(_constants.RC_CALL_LAW, heights, undeformed_gap, mask, system, {**given_words, "pressure": pressure})
+    found, gap, points = what.system, what.gap, what.mask
     spec = rc_law_spec()
     spec.undeformed_gap, spec.mask = pointer(gap), pointer(points)
-    spec.p_lower, spec.p_upper = (float(each) for each in pressure)
-    spec.tolerance, spec.tolerance_conductance, spec.area, spec.max_nodes = tolerance, conductance_tolerance, area, max_nodes
+    spec.p_lower, spec.p_upper = what.needed().given.tolist()
+    spec.tolerance, spec.tolerance_conductance, spec.area, spec.max_nodes = (
+        tolerance,
+        conductance_tolerance,
+        nominal_area,
+        max_nodes,
+    )
     if isinstance(bulk, str):
         if bulk not in BULK:
             raise ArgumentError(f"bulk is {bulk!r}: 'auto', 'none', 'mean' or a stiffness")

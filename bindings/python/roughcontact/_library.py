@@ -1,4 +1,4 @@
-"""Finds and loads libroughcontact, and libroughcontact-surface, -formats and -mpi.
+"""Finds and loads libroughcontact, and libroughcontact-surface, -formats, -request and -mpi.
 
 libroughcontact, the first of these that exists:
   1. the file that the environment variable ROUGHCONTACT_LIBRARY names; nothing else is tried then
@@ -19,7 +19,7 @@ from typing import Any, Dict, List, Tuple, cast
 from ._c import prototypes
 from ._constants import RC_ABI
 from ._errors import LibraryNotFoundError
-from ._functions import ContactFunctions, FormatsFunctions, MpiFunctions, SurfaceFunctions
+from ._functions import ContactFunctions, FormatsFunctions, MpiFunctions, RequestFunctions, SurfaceFunctions
 
 VARIABLE = "ROUGHCONTACT_LIBRARY"
 
@@ -136,6 +136,11 @@ def surface_library() -> SurfaceFunctions:
 def formats_library() -> FormatsFunctions:
     """libroughcontact-formats."""
     return cast(FormatsFunctions, _beside("formats", FormatsFunctions))
+
+
+def request_library() -> RequestFunctions:
+    """libroughcontact-request."""
+    return cast(RequestFunctions, _loaded["request"] if "request" in _loaded else _beside("request", RequestFunctions))
 
 
 def mpi_library() -> MpiFunctions:

@@ -47,11 +47,11 @@ def _pitch_needed(pitch: Optional[Pitch]) -> Tuple[float, float]:
     return as_pitch(pitch)
 
 
-def _has_methods_of_a_topography(thing: Any) -> bool:
+def has_methods_of_a_topography(thing: Any) -> bool:
     return callable(getattr(thing, "heights", None)) and hasattr(thing, "physical_sizes")
 
 
-def _pitch_of_topography(thing: Any, shape: Tuple[int, ...]) -> Tuple[float, float]:
+def pitch_of_topography(thing: Any, shape: Tuple[int, ...]) -> Tuple[float, float]:
     sizes = tuple(float(size) for size in np.atleast_1d(thing.physical_sizes))
     if len(sizes) != len(shape):
         raise ShapeError(f"physical_sizes has {len(sizes)} values, heights() {len(shape)} axes")
@@ -97,16 +97,6 @@ def _without_missing(values: Any, mask: Optional[ArrayLike], missing: str, leadi
     return heights, present.view(np.uint8)
 
 
-def gap_and_pitch(gap: Any, pitch: Optional[Pitch], unit: Optional[str]) -> Tuple[Any, Tuple[float, float]]:
-    """An undeformed gap in metres, if its unit is known, and its pitch: what is given, or that of its coordinates."""
-    says = described(gap) or Described(None, None, None, None)
-    metres = bare_metres(unit, says.unit)
-    if None in (says.hx, says.hy):
-        _refuse_unclear(pitch, says.unit)
-    hx, hy = _pitch_of_coordinates(says, _pitch_in(says.unit, pitch), None)
-    return gap_in_metres(gap, unit), (hx * metres, hy * metres)
-
-
 def gap_in_metres(gap: Any, unit: Optional[str] = None) -> Any:
     """An undeformed gap as it is if its unit is not known. On a device it stays there."""
     metres = bare_metres(unit, (described(gap) or Described(None, None, None, None)).unit)
@@ -120,7 +110,7 @@ def unit_of(thing: Any) -> Optional[str]:
     says = described(thing)
     if says is not None:
         return says.unit
-    return getattr(thing, "unit", None) if isinstance(thing, Surface) or _has_methods_of_a_topography(thing) else None
+    return getattr(thing, "unit", None) if isinstance(thing, Surface) or has_methods_of_a_topography(thing) else None
 
 
 def _pitch_of_coordinates(says: Described, pitch: Optional[Pitch], otherwise: Optional[Pitch]) -> Tuple[float, float]:
@@ -164,7 +154,7 @@ def as_surface(
     if isinstance(thing, Surface):
         heights, found_mask = _without_missing(thing.heights, thing.mask if mask is None else mask, missing)
         found = replace(thing, heights=heights, mask=found_mask, pitch=_own_pitch(thing.pitch, pitch, own))
-    elif _has_methods_of_a_topography(thing):
+    elif has_methods_of_a_topography(thing):
         if getattr(thing, "is_uniform", True) is False:
             raise ArgumentError("the topography is not on a uniform grid; interpolate it onto one")
         heights, found_mask = _without_missing(thing.heights(), mask, missing)
@@ -172,7 +162,7 @@ def as_surface(
         silent = thing.physical_sizes is None or (pitch is not None and heights.ndim == 1)
         if silent:
             _refuse_unclear(pitch, own)
-        sides = _pitch_needed(at_hand) if silent else _own_pitch(_pitch_of_topography(thing, heights.shape), pitch, own)
+        sides = _pitch_needed(at_hand) if silent else _own_pitch(pitch_of_topography(thing, heights.shape), pitch, own)
         repeats = getattr(thing, "is_periodic", False) or None  # False is what the package says where nobody knows
         found = Surface(heights, sides, repeats, found_mask, getattr(thing, "unit", None))
     else:

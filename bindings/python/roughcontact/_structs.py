@@ -254,6 +254,44 @@ class rc_surface_format(Sized):
 
 
 @struct
+class rc_word(Sized):
+    members = "size_t struct_size; text name group form help choices example why_not; int32_t kind most calls reserved"
+
+
+@struct
+class rc_given(Sized):
+    members = "text word text; doubles numbers; int64_t n"
+
+
+@struct
+class rc_map(Sized):
+    members = """size_t struct_size; text word; doubles heights; bytes_ mask; int64_t nx ny maps; double hx hy; text unit;
+    handle contents; size_t size; text name; int32_t periodic=-1 rounded"""
+
+
+@struct
+class rc_request_spec(Sized):
+    members = """size_t struct_size; int32_t call numbers spelling reserved; handle words; int64_t n_words; handle maps;
+    int64_t n_maps; handle system context"""
+
+
+@struct
+class rc_problem_view(Sized):
+    members = """size_t struct_size; rc_system system; doubles heights; bytes_ mask; int64_t maps missing; text loading;
+    doubles targets; int64_t n; double metres; int32_t si periodic; text format"""
+
+
+@struct
+class rc_remark(Sized):
+    members = "size_t struct_size; int32_t code severity; text word text; double*3 number"
+
+
+@struct
+class rc_smooth(Sized):
+    members = "size_t struct_size; double width side max_pressure approach; char*160 remark"
+
+
+@struct
 class rc_ranks_counts(Sized):
     members = """size_t struct_size;
     int64_t products transpositions transposed reductions reduced gathers gathered shifts shifted iterations"""

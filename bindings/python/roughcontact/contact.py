@@ -9,6 +9,7 @@ from typing import Any, Callable, List, Optional, Tuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from . import _constants
 from ._arrays import Doubles, Mask, Reals, as_doubles, as_mask, as_reals, as_switch, given, pointer
 from ._calls import check
 from ._errors import ArgumentError, ShapeError
@@ -16,24 +17,15 @@ from ._device import DeviceArray, alike, device_array, in_shape, package_of
 from ._derivatives import Gradient, Tangent, gradient_from, gradient_request, tangent_from, tangent_request
 from ._handle import Handle
 from ._history import history_on
-from ._height_map import Surface, same_pitch
-from ._keywords import prescribed
 from ._library import contact_library
-from ._maps import as_surface, gap_in_metres
+from ._maps import gap_in_metres
+from ._request import Prescribed, pressed, prescribed
 from ._status import Status
 from ._structs import rc_level, rc_result, rc_state, rc_step
 from .context import Options, OptionSet
 from ._history_result import HistoryResult
 from .result import Level, Result, level_from, result_from
-from .system import HalfSpace, System
-
-
-def refuse_another_pitch(surface: Surface, system: System) -> None:
-    if isinstance(system, HalfSpace) and not same_pitch(surface.pitch, system.pitch):
-        raise ArgumentError(
-            f"the surface has the pitch {surface.pitch}{' m' if surface.unit else ''}, the half-space {system.pitch}; "
-            "HalfSpace.under(surface, modulus=) makes one with the surface's"
-        )
+from .system import System
 
 
 def gap_and_mask(
@@ -56,12 +48,8 @@ def gap_and_mask(
             return in_shape(there, "undeformed_gap", system.shape), as_mask(mask, "mask", system.shape)
         array = None if undeformed_gap is None else as_reals(undeformed_gap, "undeformed_gap", system.shape, single)
         return array, as_mask(mask, "mask", system.shape)
-    surface = as_surface(heights, mask=mask, missing=missing, otherwise=system.pitch)
-    if surface.shape != system.shape:
-        raise ShapeError(f"heights have shape {surface.shape}, the grid {system.shape}")
-    refuse_another_pitch(surface, system)
-    gap = surface.undeformed_gap()
-    return gap.astype(np.float32) if single else gap, surface.mask
+    what = pressed(_constants.RC_CALL_HISTORY, heights, None, mask, system, {"missing": missing})
+    return what.gap.astype(np.float32) if single else what.gap, what.mask
 
 
 def _on_device(step: rc_step, gap: DeviceArray, mask: Optional[Mask], first: Optional[Doubles]) -> Tuple[DeviceArray, ...]:
@@ -137,6 +125,22 @@ class Contact(Handle):
         """
         what = prescribed(self.system, approach=approach, load=load, pressure=pressure)
         gap_array, mask_array = gap_and_mask(self.system, heights, undeformed_gap, mask, missing, single, devices=True)
+        return self._solve_one(what, gap_array, mask_array, start, warm_start, borrow, want_pressure, want_gap, single, check)
+
+    def _solve_one(
+        self,
+        what: Prescribed,
+        gap_array: Any,
+        mask_array: Optional[Mask],
+        start: Optional[ArrayLike] = None,
+        warm_start: Optional[bool] = None,
+        borrow: bool = False,
+        want_pressure: bool = True,
+        want_gap: bool = False,
+        single: bool = False,
+        check: bool = True,
+    ) -> Result:
+        """`solve`, of what is prepared."""
         first = None if start is None else as_doubles(start, "start", self.system.shape)
         there = gap_array if isinstance(gap_array, DeviceArray) else None
         single = single if there is None else there.dtype == "float32"
@@ -252,7 +256,9 @@ class Contact(Handle):
         """Solves a loading history; see `roughcontact.history`. Without either, on the surface of the last step."""
         gap_array, mask_array = gap_and_mask(self.system, heights, undeformed_gap, mask, missing)
         what = prescribed(self.system, approach=approach, load=load, pressure=pressure)
-        return history_on(self, what, gap_array, mask_array, warm_start, virgin, stiffness, keep_pressure, want_gap, each, check)
+        return history_on(
+            self, what, gap_array, mask_array, warm_start, virgin, stiffness, keep_pressure, want_gap, each, check
+        )
 
     def levels(self) -> List[Level]:
         """Coarse solutions of the last step, the coarsest first."""

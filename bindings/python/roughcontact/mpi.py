@@ -27,7 +27,8 @@ from ._arrays import Doubles, Mask, as_doubles, as_mask, as_switch, given
 from ._c import members_for
 from ._calls import check as check_status, conclude, last_message
 from ._errors import ArgumentError
-from ._keywords import Prescribed, options_of, prescribed
+from ._keywords import options_of
+from ._request import Prescribed, prescribed
 from ._library import mpi_library
 from ._structs import rc_ranks_counts, rc_result, rc_step
 from ._use import OwnsHandle

@@ -11,6 +11,7 @@
 #include <roughcontact/product.h>
 #include <roughcontact/ranks.h>
 #include <roughcontact/registry.h>
+#include <roughcontact/request.h>
 #include <roughcontact/roughcontact.h>
 #include <roughcontact/surface.h>
 
@@ -80,6 +81,36 @@ VALUE(RC_SURFACE_MAX, 3);
 VALUE(RC_SURFACE_FORM_MEAN, 1);
 VALUE(RC_SURFACE_FORM_PLANE, 2);
 VALUE(RC_SURFACE_FORM_QUADRIC, 3);
+VALUE(RC_CALL_SOLVE, 1);
+VALUE(RC_CALL_HISTORY, 2);
+VALUE(RC_CALL_BATCH, 4);
+VALUE(RC_CALL_LAW, 8);
+VALUE(RC_CALL_ANALYZE, 16);
+VALUE(RC_CALL_ROWS, 32);
+VALUE(RC_WORD_MAP, 1);
+VALUE(RC_WORD_LENGTH, 2);
+VALUE(RC_WORD_PRESSURE, 3);
+VALUE(RC_WORD_FORCE, 4);
+VALUE(RC_WORD_SHARE, 5);
+VALUE(RC_WORD_NUMBER, 6);
+VALUE(RC_WORD_NAME, 7);
+VALUE(RC_WORD_SHAPE, 8);
+VALUE(RC_WORD_OPTION, 9);
+VALUE(RC_NUMBERS_SI, 0);
+VALUE(RC_NUMBERS_OWN, 1);
+VALUE(RC_SPELLING_PLAIN, 0);
+VALUE(RC_SPELLING_OPTION, 1);
+VALUE(RC_SPELLING_KEYWORD, 2);
+VALUE(RC_SPELLING_FIELD, 3);
+VALUE(RC_REMARK_FILE, 1);
+VALUE(RC_REMARK_UNIT, 2);
+VALUE(RC_REMARK_BOUNDARY, 3);
+VALUE(RC_REMARK_ENDS, 4);
+VALUE(RC_REMARK_MISSING, 5);
+VALUE(RC_REMARK_SMALL, 6);
+VALUE(RC_FACT, 0);
+VALUE(RC_ASSUMED, 1);
+VALUE(RC_DOUBTFUL, 2);
 VALUE(RC_ABI, 0);
 VALUE(RC_SURFACE_PEAKS, 4);
 
@@ -595,6 +626,87 @@ AT(rc_surface_format, suffixes, 24);
 AT(rc_surface_format, says, 32);
 AT(rc_surface_format, by_contents, 40);
 AT(rc_surface_format, reserved, 44);
+
+SIZE(rc_word, 80);
+AT(rc_word, struct_size, 0);
+AT(rc_word, name, 8);
+AT(rc_word, group, 16);
+AT(rc_word, form, 24);
+AT(rc_word, help, 32);
+AT(rc_word, choices, 40);
+AT(rc_word, example, 48);
+AT(rc_word, why_not, 56);
+AT(rc_word, kind, 64);
+AT(rc_word, most, 68);
+AT(rc_word, calls, 72);
+AT(rc_word, reserved, 76);
+
+SIZE(rc_given, 32);
+AT(rc_given, word, 0);
+AT(rc_given, text, 8);
+AT(rc_given, numbers, 16);
+AT(rc_given, n, 24);
+
+SIZE(rc_map, 112);
+AT(rc_map, struct_size, 0);
+AT(rc_map, word, 8);
+AT(rc_map, heights, 16);
+AT(rc_map, mask, 24);
+AT(rc_map, nx, 32);
+AT(rc_map, ny, 40);
+AT(rc_map, maps, 48);
+AT(rc_map, hx, 56);
+AT(rc_map, hy, 64);
+AT(rc_map, unit, 72);
+AT(rc_map, contents, 80);
+AT(rc_map, size, 88);
+AT(rc_map, name, 96);
+AT(rc_map, periodic, 104);
+AT(rc_map, rounded, 108);
+
+SIZE(rc_request_spec, 72);
+AT(rc_request_spec, struct_size, 0);
+AT(rc_request_spec, call, 8);
+AT(rc_request_spec, numbers, 12);
+AT(rc_request_spec, spelling, 16);
+AT(rc_request_spec, reserved, 20);
+AT(rc_request_spec, words, 24);
+AT(rc_request_spec, n_words, 32);
+AT(rc_request_spec, maps, 40);
+AT(rc_request_spec, n_maps, 48);
+AT(rc_request_spec, system, 56);
+AT(rc_request_spec, context, 64);
+
+SIZE(rc_problem_view, 184);
+AT(rc_problem_view, struct_size, 0);
+AT(rc_problem_view, system, 8);
+AT(rc_problem_view, heights, 104);
+AT(rc_problem_view, mask, 112);
+AT(rc_problem_view, maps, 120);
+AT(rc_problem_view, missing, 128);
+AT(rc_problem_view, loading, 136);
+AT(rc_problem_view, targets, 144);
+AT(rc_problem_view, n, 152);
+AT(rc_problem_view, metres, 160);
+AT(rc_problem_view, si, 168);
+AT(rc_problem_view, periodic, 172);
+AT(rc_problem_view, format, 176);
+
+SIZE(rc_remark, 56);
+AT(rc_remark, struct_size, 0);
+AT(rc_remark, code, 8);
+AT(rc_remark, severity, 12);
+AT(rc_remark, word, 16);
+AT(rc_remark, text, 24);
+AT(rc_remark, number, 32);
+
+SIZE(rc_smooth, 200);
+AT(rc_smooth, struct_size, 0);
+AT(rc_smooth, width, 8);
+AT(rc_smooth, side, 16);
+AT(rc_smooth, max_pressure, 24);
+AT(rc_smooth, approach, 32);
+AT(rc_smooth, remark, 40);
 
 SIZE(rc_exchange, 64);
 AT(rc_exchange, struct_size, 0);

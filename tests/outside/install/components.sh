@@ -22,7 +22,7 @@ done
 repeated=$(LC_ALL=C sort "$scratch/parts" | uniq -d)
 [ -z "$repeated" ] || fail "in more than one component: $repeated"
 diff <(files "$scratch/all") <(LC_ALL=C sort "$scratch/parts") || fail "the components are not the whole"
-for component in runtime surface formats development fortran octave; do
+for component in runtime surface formats request development fortran octave; do
   grep -qx "$component" <<<"$components" || fail "component $component is gone"
 done
 ! files "$scratch/runtime" | grep -qvE '^./lib[^/]*/(.*/)?(libroughcontact\.so\.|rcb_fft\.so)' ||

@@ -38,7 +38,7 @@ build_and_run() {  # build_and_run PREFIX KIND...
   local prefix=$1 kind flags libs modules rpath run
   shift
   find_pc "$prefix"
-  pkg --validate roughcontact roughcontact-fortran roughcontact-surface roughcontact-formats
+  pkg --validate roughcontact roughcontact-fortran roughcontact-surface roughcontact-formats roughcontact-request
   [[ $(pkg --variable=libdir roughcontact) -ef $pc/.. ]] || fail "libdir is not where the library is"
   rpath=-Wl,-rpath,$(pkg --variable=libdir roughcontact)
   out=$(mktemp -d "$scratch/out.XXXX")

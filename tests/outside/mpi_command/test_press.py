@@ -13,7 +13,8 @@ class Press(RanksTest):
 
     def test_answers_are_those_of_one_process(self):
         self.npy(rough())
-        for arguments in ('--approach', '1e-7,2e-7'), ('--load', '1e-4'), ('--boundary', 'periodic', '--pressure', '1e6'):
+        for arguments in ('--approach', '1e-7,2e-7'), ('--load', '1e-4'), ('--boundary', 'periodic', '--pressure', '1e6'), (
+                '--shape', 'sphere:R=1mm', '--load', '1e-3'):
             self.run_ranks(2, 'surface.npy', *PRESS, *arguments, '--out', 'ranks')
             self.run_serial('surface.npy', *PRESS, *arguments, '--out', 'serial')
             ours, theirs = (told(self.folder / name)['steps'] for name in ('ranks', 'serial'))

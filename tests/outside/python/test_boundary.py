@@ -45,7 +45,7 @@ def test_files_keep_what_the_surface_says(rough, tmp_path):
     ],
 )
 def test_what_nobody_says_is_periodic_with_a_warning_at_the_callers_line(rough, call):
-    with pytest.warns(rc.AssumedBoundary, match="pass boundary='free' if") as seen:
+    with pytest.warns(rc.AssumedBoundary, match="boundary='free' if") as seen:
         assert call(rough.heights)
     assert [warning.filename for warning in seen] == [__file__]
 

@@ -92,7 +92,7 @@ def test_units_and_periodicity(labelled, heights):
     flags = {name: Labelled(value, (name,), attrs={"periodic": int(name == "x")}) for name, value in COORDS.items()}
     assert not rc.solve(labelled(heights, ("y", "x"), flags), boundary="free", **KEYS).grid.periodic
     holes = np.where(heights > 1, np.nan, heights)
-    refused(rc.ArgumentError, "missing points", rc.solve, labelled(holes.T, ("x", "y"), COORDS), **KEYS)
+    refused(rc.ArgumentError, "missing value", rc.solve, labelled(holes.T, ("x", "y"), COORDS), **KEYS)
     excluded = rc.solve(labelled(holes.T, ("x", "y"), COORDS), missing="exclude", **KEYS)
     assert np.array_equal(excluded.grid.mask == 0, heights > 1)
 

@@ -10,7 +10,7 @@ from roughcontact._errors import error_for
 CASES = {
     "argument": (rc.ArgumentError, rc.Status.ERR_ARGUMENT, "modulus", {"modulus": -1.0}),
     "not finite": (rc.ArgumentError, rc.Status.ERR_ARGUMENT, "not finite", {"approach": np.inf}),
-    "shape": (rc.ShapeError, rc.Status.ERR_SHAPE, "gap has shape", {"undeformed_gap": np.zeros((3, 3))}),
+    "shape": (rc.ShapeError, rc.Status.ERR_SHAPE, "gap have 3 x 3 points", {"undeformed_gap": np.zeros((3, 3))}),
     "option": (rc.OptionError, rc.Status.ERR_OPTION, 'did you mean "tol"', {"options": {"tool": 1e-6}}),
     "option's range": (rc.OptionError, rc.Status.ERR_OPTION, "0.1", {"options": {"tol": 1.0}}),
     "option's type": (rc.OptionError, rc.Status.ERR_OPTION, "max_iter", {"options": {"max_iter": 1.5}}),

@@ -108,7 +108,7 @@ def test_a_batch_of_files(tmp_path, rough):
 
 def test_missing_points_are_refused_filled_or_left_out(map_file):
     press = {"modulus": 1e9, "approach": 1e-9}
-    refused(rc.ArgumentError, "1 missing points.*missing='fill'", rc.solve, map_file, **press)
+    refused(rc.ArgumentError, "1 missing value.*missing='fill'", rc.solve, map_file, **press)
     filled, excluded = (rc.solve(map_file, missing=rule, **press) for rule in ("fill", "exclude"))
     assert filled.grid.mask is None and excluded.grid.mask[1, 1] == 0
 

@@ -55,7 +55,7 @@ def test_own_operators(small_matrix):
 
 
 def test_what_is_refused(rough):
-    refused(rc.ArgumentError, "hardness = -1 must be positive", rc.solve, rough, modulus=1e9, hardness=-1, approach=1e-7)
+    refused(rc.ArgumentError, "hardness: -1 is not positive", rc.solve, rough, modulus=1e9, hardness=-1, approach=1e-7)
     refused(rc.InfeasibleError, "hardness times the area", rc.solve, rough, **HOW, load=1)
     refused(
         rc.ArgumentError,

@@ -48,12 +48,11 @@ def test_a_misspelt_keyword_is_answered_by_the_right_one(rough, wrong, right):
     )
 
 
-@pytest.mark.parametrize("wrong", [{"load": "1mN"}, {"modulus": "3GPa"}, {"pressure": "10MPa", "load": None}])
-def test_numbers_with_units_are_the_commands(rough, wrong):
-    name = next(iter(wrong))
-    refused(
-        rc.ArgumentError, f"{name} = '{wrong[name]}' is a text; give a number", rc.solve, rough, **{**PRESS, **wrong}
-    )
+@pytest.mark.parametrize("text, number", [({"load": "0.1mN"}, {"load": 1e-4}), ({"modulus": "1GPa"}, {"modulus": 1e9})])
+def test_numbers_with_units_are_texts(rough, text, number):
+    with pytest.warns(rc.AssumedUnit):
+        found = rc.solve(rough, **{**PRESS, **text})
+    assert found.approach == rc.solve(rough, **{**PRESS, **number}).approach
 
 
 def test_keywords_that_are_near_nothing_or_given_twice(rough):
@@ -69,10 +68,10 @@ def test_elastic_constants(rough):
     )
     two = rc.solve(rough, E=(2e9, 1e9), nu=(0.3, 0.5), load=1e-4)
     assert two.approach == pytest.approx(rc.solve(rough, modulus=1 / (0.91 / 2e9 + 0.75 / 1e9), load=1e-4).approach)
-    refused(rc.ArgumentError, "both given", rc.solve, rough, modulus=1e9, E=1e9, nu=0.3, load=1e-4)
+    refused(rc.ArgumentError, "not both", rc.solve, rough, modulus=1e9, E=1e9, nu=0.3, load=1e-4)
     refused(rc.ArgumentError, "nu is missing", rc.solve, rough, E=1e9, load=1e-4)
-    refused(rc.ArgumentError, "nu = 0.6 is not in", rc.solve, rough, E=1e9, nu=0.6, load=1e-4)
-    refused(rc.ArgumentError, "E = -1", rc.solve, rough, E=-1, nu=0.3, load=1e-4)
+    refused(rc.ArgumentError, "nu: 0.6 is not in", rc.solve, rough, E=1e9, nu=0.6, load=1e-4)
+    refused(rc.ArgumentError, "E: -1 is not positive", rc.solve, rough, E=-1, nu=0.3, load=1e-4)
     refused(rc.ArgumentError, "two each", rc.solve, rough, E=(1e9, 1e9), nu=0.3, load=1e-4)
 
 
@@ -82,8 +81,10 @@ def test_a_mean_pressure_is_a_load(rough):
     assert found.load == pytest.approx(1e4 * area) and found.mean_pressure == pytest.approx(1e4)
     assert rc.history(rough, modulus=1e9, pressure=[1e4, 2e4]).load == pytest.approx([1e4 * area, 2e4 * area])
     assert rc.batch([rough], modulus=1e9, pressure=1e4).load[0, 0] == pytest.approx(1e4 * area)
-    refused(rc.ArgumentError, "load and pressure are both given", rc.solve, rough, modulus=1e9, pressure=1e4, load=1.0)
-    refused(rc.ArgumentError, "approach and pressure are both", rc.solve, rough, modulus=1e9, pressure=1e4, approach=1.0)
+    refused(rc.ArgumentError, "give only one of load and pressure", rc.solve, rough, modulus=1e9, pressure=1e4, load=1.0)
+    refused(
+        rc.ArgumentError, "give only one of approach and pressure", rc.solve, rough, modulus=1e9, pressure=1e4, approach=1.0
+    )
 
 
 def test_one_row_has_to_be_said():
@@ -125,15 +126,15 @@ def test_everywhere(call):
 def test_a_surface_is_pressed_with_its_own_pitch(rough):
     """Neither a pitch that is given nor that of a half-space replaces it."""
     for call in (rc.solve, rc.history):
-        refused(rc.ArgumentError, "surface has its own", call, rough, **PRESS, pitch=2e-6)
+        refused(rc.ArgumentError, "has its own", call, rough, **PRESS, pitch=2e-6)
     refused(rc.ArgumentError, "surface has its own", rc.batch, [rough], **PRESS, pitch=2e-6)
     for judge in (rc.surface.analyze, rc.surface.psd, rc.plot.heights):
         refused(rc.ArgumentError, "surface has its own", judge, rough, pitch=2e-6)
     other = rc.HalfSpace(rough.shape, pitch=2e-6, modulus=1e9, boundary="free")
     for call, pressed in ((rc.solve, rough), (rc.batch, [rough]), (rc.batch, rough)):
-        refused(rc.ArgumentError, "surface has the pitch", call, pressed, system=other, load=1e-4)
+        refused(rc.ArgumentError, "have the pitch", call, pressed, system=other, load=1e-4)
     with rc.Contact(other) as contact:
-        refused(rc.ArgumentError, "surface has the pitch", contact.solve, rough, load=1e-4)
+        refused(rc.ArgumentError, "have the pitch", contact.solve, rough, load=1e-4)
         contact.solve(rough.heights, load=1e-4)
 
 
@@ -183,7 +184,7 @@ def test_modules_show_what_they_are_for():
     exec("from roughcontact import *", namespace)
     assert set(namespace) - {"__builtins__"} == set(rc.__all__)
     names = {name for name in dir(rc.raw) if not name.startswith(("rc_", "RC_"))}
-    assert names == {"contact_library", "surface_library", "formats_library", "library_file"}
+    assert names == {"contact_library", "surface_library", "formats_library", "request_library", "library_file"}
 
 
 def test_help_names_every_keyword_with_its_default():
@@ -191,9 +192,9 @@ def test_help_names_every_keyword_with_its_default():
 
     text = inspect.getdoc(rc.solve)
     for name in inspect.signature(rc.solve).parameters:
-        assert name == "keywords" or re.search(rf"^(E, )?{name}(, nu)?: ", text, re.M), name
-    for name in ("load", "approach", "pressure", "hardness", "pitch"):
-        assert re.search(rf"^{name}: [^\n]*(\n +[^\n]*)?\[(force|length)", text, re.M), f"{name} has no unit"
+        assert name == "words" or re.search(rf"^(E, )?{name}(, nu)?: ", text, re.M), name
+    for name in ("load", "approach", "pressure", "hardness", "pitch", "unit", "missing", "against", "shape", "remove", "E2"):
+        assert re.search(rf"^{name}: ", text, re.M), name
 
 
 def test_options_are_printed_as_keywords(rough):
@@ -243,14 +244,9 @@ def test_errors_name_all_ways(rough, call):
         given = (contact, rough) if "Contact" in call.__qualname__ else (rough,)
         more = {} if len(given) == 2 else {"system": system}
         refused(rc.ArgumentError, "nothing presses: one of approach, load, pressure is needed", call, *given, **more)
-        both = {"load": 1.0, "pressure": 1.0}
-        words = "load and pressure are both given: one of approach, load, pressure is needed"
-        refused(rc.ArgumentError, words, call, *given, **more, **both)
-        refused(rc.ArgumentError, "are all given", call, *given, **more, **both, approach=1e-8)
+        refused(rc.ArgumentError, "give only one of load and pressure", call, *given, **more, load=1.0, pressure=1.0)
     for call in (rc.solve, rc.history, rc.batch):
-        refused(
-            rc.ArgumentError, "modulus is missing: the contact modulus E\\*, or E and nu, or system=", call, rough, load=1e-4
-        )
+        refused(rc.ArgumentError, "modulus is missing", call, rough, load=1e-4)
     refused(rc.ArgumentError, "modulus is missing", rc.HalfSpace, (4, 4), pitch=1.0)
 
 
@@ -269,4 +265,4 @@ def test_several_targets_of_one_step_name_the_history(name, several, sphere_gap,
         lambda: rc.solve(undeformed_gap=sphere_gap, system=half_space, **{name: several}),
         lambda: rc.Contact(half_space).solve(undeformed_gap=sphere_gap, **{name: several}),
     ):
-        refused(rc.ArgumentError, rf"{name} has \d values.*roughcontact\.history", call)
+        refused(rc.ArgumentError, rf"{name} has \d values", call)

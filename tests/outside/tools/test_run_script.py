@@ -99,7 +99,7 @@ class RunScript(CommandTest):
         for out in (["--out", "folder"], ["--out=folder"]):
             said = self.asked("s.x3p", "--modulus", "210GPa", *out, "--resume", "--quiet", "--load", "1mN,2mN", "--page")
             self.assertIn("page: folder/report.html", said)
-            self.assertIn("roughcontact_formats", (self.folder / "built").read_text())
+            self.assertIn("roughcontact_request", (self.folder / "built").read_text())
             self.assertEqual((self.folder / "page").read_text().split(),
                              "-m roughcontact report s.x3p --modulus 210GPa --load 1mN,2mN --remove plane --out folder/report.html".split())
         (self.folder / "build-run/bin/roughcontact").write_text(

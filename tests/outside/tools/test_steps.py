@@ -23,7 +23,7 @@ class Ratios(Steps):
             _, given = self.steps(option, text, surface=surface)
             np.testing.assert_allclose(given["targets"], values, rtol=1e-12)
             self.assertEqual(given["targets"][0], values[0])
-        for text, says in (("0:1uN:5log", "two ends above 0"), ("1uN:2uN:0log", "whole number"), ("1uN:2uN:log", "whole number"), ("1uN:2uN", "a:b:nlog")):
+        for text, says in (("0:1uN:5log", "two ends above 0"), ("1uN:2uN:0log", "whole number"), ("1uN:2uN:log", "whole number"), ("1uN:2uN", "a..b:nlog")):
             self.assert_fails("solve", surface, *PRESS, "--load", text, says=["--load", says])
 
 

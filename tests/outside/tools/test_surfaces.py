@@ -156,13 +156,13 @@ class Analyze(CommandTest):
 
     def test_periodic_spectrum_sums_to_the_variance(self):
         z = rough(48, 64)
-        found, _ = self.analyze(self.npy(z), "--pitch", "1e-6", "--periodic")
+        found, _ = self.analyze(self.npy(z), "--pitch", "1e-6", "--boundary", "periodic")
         total = np.dot(found["psd"]["C"], found["psd"]["modes"]) / (48 * 64 * 1e-12)
         self.assertAlmostEqual(total / z.var(), 1, delta=1e-12)
 
     def test_generated_surface_is_recognised(self):
         self.run_command("generate", "spectral", "--size", 512, "--pitch", 0.5, "--unit", "um", "--rolloff", 20, "--hurst", 0.6, "--output", "s.gsf")
-        found, done = self.analyze("s.gsf", "--periodic")
+        found, done = self.analyze("s.gsf", "--boundary", "periodic")
         spectrum = found["spectrum"]
         self.assertAlmostEqual(spectrum["hurst"], 0.6, delta=2 * spectrum["hurst_error"])
         self.assertAlmostEqual(2 * np.pi / spectrum["q_rolloff"] / 20e-6, 1, delta=0.15)

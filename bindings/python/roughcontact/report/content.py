@@ -7,22 +7,19 @@ from typing import Any, Dict, List, Optional, Tuple
 
 import numpy as np
 
-from .. import surface as surfaces
+from .. import _constants, surface as surfaces
 from .._arrays import Doubles
 from .._blocks import largest, means, side_of_blocks
 from .._errors import ArgumentError, LibraryNotFoundError
-from .._files import surface_and_doubt
 from .._height_map import Surface
 from .._law import Law
-from .._maps import as_surface
 from .._status import Status
 from ..analysis import Histogram, Patches
 from ..contact import Contact
 from ..context import version
 from ..result import Result
 from ..surface import PowerLaw, Spectrum, Statistics
-from ..system import HalfSpace
-from .request import Request
+from .request import Request, press
 
 MOST_CELLS = 150000  # of a map on the page
 BINS = 60
@@ -94,23 +91,6 @@ class Content:
         return math.erf(math.sqrt(2) * load / (self.nominal_area * self.request.modulus * self.persson))
 
 
-def _prepared(request: Request) -> Tuple[Surface, int, str]:
-    """(the surface as it is pressed, how many points are missing in the file, what the file leaves open)"""
-    found, _ = surface_and_doubt(request.file, request.pitch, request.unit, request.format, None)
-    missing = int(found.missing.sum())
-    if missing == found.heights.size:
-        raise ArgumentError(f"{request.file}: all points are missing")
-    assumed = found.assumed
-    if request.remove != "none":
-        found = found.without(request.remove)
-    if missing and request.missing == "reject":
-        raise ArgumentError(
-            f"{request.file}: {missing} of {found.heights.size} points are missing; give --missing fill to interpolate them or "
-            "--missing exclude to keep them out of contact"
-        )
-    return as_surface(found, missing=request.missing), missing, assumed
-
-
 def _judged(surface: Surface, periodic: bool) -> Tuple[Optional[Statistics], Optional[Spectrum], Optional[PowerLaw]]:
     if surface.mask is not None or np.ptp(surface.heights) == 0:
         return None, None, None
@@ -145,30 +125,29 @@ def _options(request: Request) -> Dict[str, Any]:
 
 def collect(request: Request) -> Content:
     contact_law = Law.load(request.law) if request.law else None
-    surface, missing, assumed = _prepared(request)
-    boundary = request.boundary or ("free" if surface.periodic is False else "periodic")
-    system = HalfSpace(
-        surface.shape, pitch=surface.pitch, modulus=request.modulus, boundary=boundary, hardness=request.hardness
-    )
+    press(request)
+    problem = request.problem
+    view, surface = problem.request.view, problem.surface()
+    remarks = problem.request.remarks()
     steps: List[Result] = []
-    gap: Optional[Doubles] = surface.undeformed_gap()
-    mask = surface.mask
-    with Contact(system, options=_options(request)) as contact:
+    gap, mask = problem.gap, problem.mask
+    with Contact(problem.system, options=_options(request)) as contact:
         for target in request.targets:
-            press: Any = {request.control: target}
-            result = contact.solve(undeformed_gap=gap, mask=mask, want_gap=True, check=False, **press)
+            press_with: Any = {request.control: target}
+            result = contact.solve(undeformed_gap=gap, mask=mask, want_gap=True, check=False, **press_with)
             gap = mask = None  # as in the step before
-            steps.append(replace(result, pressure=None, gap=None, measures=result._measured))
+            steps.append(problem.remarked(replace(result, pressure=None, gap=None, measures=result._measured)))
     assert result.pressure is not None
     heights = np.sort(surface.heights[~surface.missing])[::-1]
     shares = np.linspace(0, 1, 201)
-    statistics, spectrum, law = _judged(surface, request.boundary == "periodic" or surface.periodic is True)
+    statistics, spectrum, law = _judged(surface, request.words.get("boundary") == "periodic" or surface.periodic is True)
+    told = [each.text.decode() for each in remarks if each.code in (_constants.RC_REMARK_FILE, _constants.RC_REMARK_UNIT)]
     return Content(
         request=request,
-        surface=replace(surface, periodic=boundary == "periodic"),
-        assumed=assumed,
-        assumes_boundary=request.boundary is None and surface.periodic is None,
-        missing=missing,
+        surface=replace(surface, periodic=problem.system.periodic is True),
+        assumed="; ".join(told),
+        assumes_boundary=any(each.code == _constants.RC_REMARK_BOUNDARY for each in remarks),
+        missing=view.missing,
         statistics=statistics,
         spectrum=spectrum,
         law=law,

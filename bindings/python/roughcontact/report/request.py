@@ -1,42 +1,55 @@
-"""What `python -m roughcontact report` is asked for: its options, checked, in SI units."""
+"""What `python -m roughcontact report` is asked for: the words of `solve`, and a few options of its own."""
 
 import argparse
 import difflib
 import shlex
-from typing import Any, List, NoReturn, Optional, Sequence, Tuple
+from typing import Any, Dict, List, NoReturn, Optional, Sequence
 
+from .. import _constants
 from .._errors import ArgumentError
-from .._elastic import modulus_of
-from .._units import KNOWN, metres_of, metres_per
-from ..system import REPEATS
-from .quantities import quantities, quantity, targets
+from .._request import Pressed, pressed
+from .._words import HELP
 
 CURVE_POINTS, CURVE_SPAN = 10, 100.0  # of the history up to a single target, and how far below that it begins
 
 
 class Request(argparse.Namespace):
-    """control, targets: "approach", "load" or "pressure", and its values; curve: whether only the last target was asked
-    for, and the others lead up to it; pitch: in `unit`; modulus: E*; material: what it was made of, in words"""
+    """words: as given; problem: what they mean; targets: of its loading; curve: whether only the last target was asked for, and the
+    others lead up to it; material: what E* was made of, in words"""
 
     file: str
     out: str
-    format: Optional[str]
-    pitch: Optional[Tuple[float, float]]
-    unit: Optional[str]
-    missing: str
-    remove: str
-    boundary: Optional[str]
-    modulus: float
-    material: str
-    hardness: Optional[float]
-    control: str
-    targets: List[float]
-    curve: bool
     tol: Optional[float]
     accuracy: Optional[float]
     threads: Optional[int]
     law: Optional[str]
+    words: Dict[str, str]
     command: str
+    problem: Pressed
+    targets: List[float]
+    curve: bool
+
+    @property
+    def control(self) -> str:
+        return self.problem.needed().name
+
+    @property
+    def modulus(self) -> float:
+        found = self.problem.system.modulus
+        assert found is not None
+        return found
+
+    @property
+    def hardness(self) -> Optional[float]:
+        return self.problem.system.hardness
+
+    @property
+    def material(self) -> str:
+        if "modulus" in self.words:
+            return "the contact modulus was given"
+        bodies = [(self.words.get("E" + which), self.words.get("nu" + which)) for which in ("", "2")]
+        told = " and ".join(f"E = {E}, \u03bd = {nu}" for E, nu in bodies if E is not None)
+        return told + ("" if "E2" in self.words else "; the other body is rigid")
 
 
 class Parser(argparse.ArgumentParser):
@@ -49,12 +62,6 @@ def _number(text: str) -> float:
         return float(text)
     except ValueError:
         raise argparse.ArgumentTypeError(f"{text!r} is not a number") from None
-
-
-def _unit(text: str) -> str:
-    if metres_per(text) is None:
-        raise argparse.ArgumentTypeError(f"{text!r} is not a length unit, give {KNOWN}")
-    return text
 
 
 def _threads(text: str) -> int:
@@ -73,69 +80,21 @@ def parser() -> Parser:
     )
     made.add_argument("file", metavar="FILE", help="surface file, see roughcontact.formats()")
     made.add_argument("--out", default="report.html", metavar="PAGE", help="the page to write (report.html)")
-    made.add_argument("--format", metavar="NAME", help="format of the file, where contents and extension do not say it")
-    made.add_argument("--pitch", metavar="H or HX,HY", help="cell size, where the file does not say it")
-    made.add_argument("--unit", type=_unit, help="unit of lengths without a unit (m)")
-    made.add_argument("--missing", choices=["reject", "fill", "exclude"], default="reject", help="missing points")
-    made.add_argument(
-        "--remove", choices=["none", "mean", "plane", "quadric"], default="none", help="least-squares form to take off (none)"
-    )
-    made.add_argument("--boundary", choices=list(REPEATS), help="as the file says, else periodic: the map is a sample of a larger surface")
-    made.add_argument("--modulus", metavar="E*", help="contact modulus, or")
-    made.add_argument("--E", metavar="E", help="Young's modulus, with")
-    made.add_argument("--nu", type=_number, metavar="NU", help="Poisson's ratio")
-    made.add_argument("--E2", metavar="E", help="Young's modulus of the other body (default: rigid)")
-    made.add_argument("--nu2", type=_number, metavar="NU", help="Poisson's ratio of the other body")
-    made.add_argument("--hardness", metavar="H", help="largest pressure; above it the surface yields")
-    made.add_argument("--load", metavar="TARGETS", help="normal force: one, a list a,b,c or a range a:b:n, or a:b:nlog with equal ratios; or")
-    made.add_argument("--pressure", metavar="TARGETS", help="mean pressure; or")
-    made.add_argument("--approach", metavar="TARGETS", help="approach from first touch")
+    for name, (form, text) in HELP.items():
+        made.add_argument("--" + name.replace("_", "-"), dest="word_" + name, metavar=form, help=text.replace("%", "%%"))
     made.add_argument("--tol", type=_number, metavar="TOL", help="convergence tolerance, relative (default 1e-8)")
     made.add_argument(
-        "--accuracy", type=_number, metavar="GOAL", help="accepted relative error of the load: a coarser grid is used if its estimated error is below this"
+        "--accuracy",
+        type=_number,
+        metavar="GOAL",
+        help="accepted relative error of the load: a coarser grid is used if its estimated error is below this",
     )
     made.add_argument("--law", metavar="FILE", help="show this contact law of the surface, in m and N, see roughcontact law")
     made.add_argument("--threads", type=_threads, metavar="N", help="number of threads (default: all cores)")
     return made
 
 
-def _elasticity(given: Any) -> Tuple[float, str]:
-    """(E*, where it comes from)"""
-    bodies = [[getattr(given, name) for name in names] for names in (("E", "nu"), ("E2", "nu2"))]
-    if given.modulus is not None:
-        if any(value is not None for body in bodies for value in body):
-            raise ArgumentError("give either --modulus or --E and --nu, not both")
-        return quantity("--modulus", given.modulus, "pressure"), "the contact modulus was given"
-    if bodies[0] == [None, None]:
-        raise ArgumentError("the elastic modulus is missing, give --modulus or --E and --nu")
-    young, poisson = [], []
-    for which, (E, nu) in zip(("", "2"), bodies):
-        if (E is None) != (nu is None):
-            raise ArgumentError(f"--E{which} and --nu{which} go together")
-        if E is not None:
-            young.append(quantity("--E" + which, E, "pressure"))
-            poisson.append(nu)
-    modulus = modulus_of(None, young, poisson)
-    assert modulus is not None
-    told = " and ".join(f"E = {E}, \u03bd = {nu}" for E, nu in bodies if E is not None)
-    return modulus, told + ("" if len(young) == 2 else "; the other body is rigid")
-
-
-def _loading(given: Any, unit: float) -> Tuple[str, List[float], bool]:
-    kinds = {"approach": ("length", unit), "load": ("force", 1.0), "pressure": ("pressure", 1.0)}
-    asked = [name for name in kinds if getattr(given, name) is not None]
-    if not asked:
-        raise ArgumentError("what to press with is missing, give --approach, --load or --pressure")
-    if len(asked) > 1:
-        raise ArgumentError(f"give only one of --{asked[0]} and --{asked[1]}")
-    found = targets("--" + asked[0], getattr(given, asked[0]), *kinds[asked[0]])
-    if len(found) > 1 or not found[0] > 0:
-        return asked[0], found, False
-    last = CURVE_POINTS - 1
-    return asked[0], [found[0] * CURVE_SPAN ** (k / last - 1) for k in range(last)] + found, True
-
-
-def _check_words(arguments: Sequence[str], known: Sequence[str], unknown: Sequence[str]) -> None:
+def _check_options(arguments: Sequence[str], known: Sequence[str], unknown: Sequence[str]) -> None:
     names = [word.split("=")[0] for word in arguments]
     for name in known:
         if names.count(name) > 1:
@@ -155,18 +114,20 @@ def read_request(arguments: Sequence[str]) -> Request:
     made = parser()
     asked, unknown = made.parse_known_args(arguments, Request())
     known = [name for action in made._actions for name in action.option_strings if name.startswith("--") and name != "--help"]
-    _check_words(arguments, known, unknown)
-    unit = metres_of(asked.unit or "m")
-    asked.modulus, asked.material = _elasticity(asked)
-    asked.control, asked.targets, asked.curve = _loading(asked, unit)
-    if asked.pitch is not None:
-        given: Any = asked.pitch
-        sides = [quantity("--pitch", text, "length", unit) / unit for text in given.split(",")]
-        quantities("--pitch", given.split(","), "length", unit)
-        if len(sides) > 2:
-            raise ArgumentError(f"--pitch: {given!r} is neither H nor HX,HY")
-        asked.pitch = (sides[0], sides[-1])
-    if asked.hardness is not None:
-        asked.hardness = quantity("--hardness", str(asked.hardness), "pressure")
+    _check_options(arguments, known, unknown)
+    given: Dict[str, Any] = {name: getattr(asked, "word_" + name) for name in HELP}
+    asked.words = {name: value for name, value in given.items() if value is not None}
     asked.command = shlex.join(["python3", "-m", "roughcontact", "report", *arguments])
     return asked
+
+
+def press(asked: Request) -> None:
+    """Reads the surface; one target above 0 becomes the last of a curve."""
+    asked.problem = pressed(
+        _constants.RC_CALL_HISTORY, asked.file, None, None, None, asked.words, spelling=_constants.RC_SPELLING_OPTION
+    )
+    asked.targets = asked.problem.needed().given.tolist()
+    asked.curve = len(asked.targets) == 1 and asked.targets[0] > 0
+    if asked.curve:
+        last = CURVE_POINTS - 1
+        asked.targets = [asked.targets[0] * CURVE_SPAN ** (k / last - 1) for k in range(last)] + asked.targets

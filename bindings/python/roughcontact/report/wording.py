@@ -184,18 +184,27 @@ def self_affine(law: PowerLaw) -> bool:
 
 def assumptions(content: Content) -> List[str]:
     request, told = content.request, []
-    told.append(f"Units: {content.assumed}." if content.assumed else "Units and pitch are those that the file states.")
-    if request.pitch is not None:
+    told.append(
+        f"Units: {content.assumed}."
+        if content.assumed
+        else (
+            f"Lengths without a unit are in {request.words['unit']}."
+            if "unit" in request.words
+            else "Units and pitch are those that the file states."
+        )
+    )
+    words = request.words
+    if "pitch" in words:
         told.append(f"The pitch was given: {' × '.join(with_prefix(side, 'm', 5) for side in content.surface.pitch)}.")
     rule = {"fill": "interpolated from their neighbours: contact there is a guess", "exclude": "kept out of contact"}
     told.append(
-        f"{content.missing} missing points were {rule[request.missing]}." if content.missing else "No point is missing."
+        f"{content.missing} missing points were {rule[words['missing']]}." if content.missing else "No point is missing."
     )
-    told.append(
-        "The heights were taken as they are."
-        if request.remove == "none"
-        else f"A least-squares {request.remove} was taken off the heights."
-    )
+    form = words.get("remove", "none")
+    changes = [] if form == "none" else [f"A least-squares {form} was taken off the heights."]
+    told_of = {"against": "The heights of {} were added.", "shape": "The shape {} was added."}
+    changes += [text.format(words[word]) for word, text in told_of.items() if word in words]
+    told += changes or ["The heights were taken as they are."]
     told.append(f"Contact modulus E* = {with_prefix(request.modulus, 'Pa', 4)}: {request.material}.")
     if request.hardness:
         told.append(

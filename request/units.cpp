@@ -1,12 +1,14 @@
-#include "units.h"
+#include "request/units.h"
+
+#include <roughcontact/formats.h>
 
 #include <cmath>
 #include <utility>
 
 #include "formats/units.h"
-#include "text.h"
+#include "request/names.h"
 
-namespace cli {
+namespace rc::request {
 
 namespace {
 
@@ -22,13 +24,20 @@ constexpr std::pair<const char*, double> label_prefixes[] = {{"T", 1e12},  {"G",
 
 }  // namespace
 
+std::optional<double> metres_in(std::string_view name) {
+  double metres = 0;
+  if (rc_surface_unit(std::string(name).c_str(), &metres) != RC_OK) return std::nullopt;
+  return metres;
+}
+
 std::optional<Unit> find_unit(std::string_view name) {
-  if (const auto metres = metres_per(name)) return Unit{Dimension::length, *metres};
+  if (const auto metres = metres_in(name)) return Unit{Dimension::length, *metres};
   if (name == "%") return Unit{Dimension::share, 0.01};
   if (name == "deg") return Unit{Dimension::angle, 3.14159265358979323846 / 180};
   for (const auto& [symbol, dimension] : symbols) {
     if (!name.ends_with(symbol)) continue;
-    if (const auto factor = prefix_factor(name.substr(0, name.size() - symbol.size()))) return Unit{dimension, *factor};
+    const auto prefix = name.substr(0, name.size() - symbol.size());
+    if (const auto factor = metres_in(join(prefix, "m"))) return Unit{dimension, *factor};
   }
   return std::nullopt;
 }
@@ -41,7 +50,7 @@ const char* name_of(Dimension dimension) {
 }
 
 const char* units_of(Dimension dimension) {
-  if (dimension == Dimension::length) return rc::formats::known_lengths.data();
+  if (dimension == Dimension::length) return formats::known_lengths.data();
   if (dimension == Dimension::pressure) return "Pa with an SI prefix (kPa, MPa, GPa)";
   if (dimension == Dimension::share) return "%, at most 100 %";
   return dimension == Dimension::force ? "N with an SI prefix (uN, mN, kN)" : "deg or rad";
@@ -69,4 +78,4 @@ std::string with_prefix(double value, const char* unit, int digits) {
   return text + " " + prefix.symbol + unit;
 }
 
-}  // namespace cli
+}  // namespace rc::request

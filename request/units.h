@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace cli {
+namespace rc::request {
 
 enum class Dimension { length, pressure, force, angle, share };
 
@@ -13,6 +13,9 @@ struct Unit {
   Dimension dimension;
   double factor;  // SI units (m, Pa, N, rad) in one of these
 };
+
+// Metres in a length as files name it.
+std::optional<double> metres_in(std::string_view name);
 
 // A length as files name it; Pa, N or rad with any SI prefix, deg or %. Capitals count: mN and MN, mPa and MPa differ. Micro is
 // u, U+00B5, U+03BC or Latin-1. Nothing if the text is no such unit.
@@ -33,4 +36,4 @@ Prefix prefix_for(double magnitude, int power = 1);
 // "39 nm", "2.56 GPa": to this number of digits, under the prefix that suits it; "65 um^2" for a unit that ends with ^2 or ^3.
 std::string with_prefix(double value, const char* unit, int digits = 3);
 
-}  // namespace cli
+}  // namespace rc::request

@@ -1,20 +1,17 @@
-// Physical quantities given on the command line: "39nm", "210 GPa", or a number alone; the unit and pitch of a
-// surface.
+// Physical quantities as users write them: "39nm", "210 GPa", or a number alone.
 #pragma once
 
-#include <optional>
-#include <string>
 #include <string_view>
 #include <vector>
 
-#include "formats/surface.h"
-#include "units.h"
+#include "request/units.h"
 
-namespace cli {
+namespace rc::request {
 
 struct Quantity {
   double number;
-  double unit;  // SI units that the number counts
+  double unit;        // SI units that the number counts
+  bool bare = false;  // without a unit
 
   double si() const { return unit * number; }
   // As a multiple of another unit of the same dimension; exact where it is the same unit.
@@ -22,7 +19,7 @@ struct Quantity {
 };
 
 // `unit`: what a number alone counts. The Error for a text that is no number, not finite, or has a unit that is unknown or of
-// another dimension names the option and says what was expected.
+// another dimension begins with `option` and says what was expected.
 Quantity read_quantity(std::string_view option, std::string_view text, Dimension dimension, double unit = 1);
 Quantity read_positive(std::string_view option, std::string_view text, Dimension dimension, double unit = 1);
 
@@ -30,18 +27,7 @@ Quantity read_positive(std::string_view option, std::string_view text, Dimension
 std::vector<Quantity> read_quantities(std::string_view option, const std::vector<std::string_view>& texts, Dimension dimension,
                                       double unit = 1);
 
-// Metres per --unit, 1 if it was not given.
-double length_unit(const std::optional<std::string>& name);
+// Metres in the unit that `name` names, 1 without a name. The Error for one that is no length begins with `option`.
+double length_unit(std::string_view option, const char* name);
 
-struct Pitch {
-  Quantity x, y;
-  bool bare;  // without a unit
-};
-
-// --pitch, of which numbers alone are in `unit`.
-std::optional<Pitch> pitch_argument(const std::optional<std::string>& text, double unit);
-
-// Puts the given pitch into a surface that has none; refuses one that differs from the file's.
-void settle_pitch(const std::optional<Pitch>& given, rc::formats::Surface& surface);
-
-}  // namespace cli
+}  // namespace rc::request

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace cli {
+namespace rc::request {
 
 // `; did you mean "x"?` for the name nearest to the word, "" if none is near.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& names);
@@ -15,4 +15,4 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
 // The place of a name in the list. The Error for one that is not there lists all and suggests the nearest.
 std::size_t choice(std::string_view option, std::string_view name, std::span<const std::string_view> names);
 
-}  // namespace cli
+}  // namespace rc::request

@@ -1,12 +1,10 @@
-#include "arguments/choices.h"
+#include "request/choices.h"
 
 #include <algorithm>
 
-#include "core/text.h"
-#include "formats/error.h"
-#include "text.h"
+#include "request/names.h"
 
-namespace cli {
+namespace rc::request {
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& names) {
   constexpr std::size_t least = 3;  // letters of a name that begins the word, as --tol does --tolerance
@@ -29,4 +27,4 @@ std::size_t choice(std::string_view option, std::string_view name, std::span<con
   throw Error(option, ": ", in_quotes(name), " is not known", did_you_mean(name, {names.begin(), names.end()}), "; give ", all);
 }
 
-}  // namespace cli
+}  // namespace rc::request

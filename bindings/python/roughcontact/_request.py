@@ -1,0 +1,355 @@
+"""What presses what, from words and maps: libroughcontact-request reads them."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+from dataclasses import dataclass, replace
+from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple
+
+import numpy as np
+
+from . import _constants
+from ._arrays import (
+    Doubles,
+    Mask,
+    Shape,
+    as_doubles,
+    as_mask,
+    as_text,
+    columns_and_rows,
+    pointer,
+    refuse_one_row,
+    without_masked,
+)
+from ._calls import check
+from ._data_arrays import Described, described
+from ._device import DeviceArray, device_array
+from ._errors import ArgumentError, ShapeError
+from ._files import PACKAGE, contents_of, is_file, name_of, surface_in
+from ._height_map import Surface, gap_below
+from ._library import contact_library, request_library
+from ._maps import has_methods_of_a_topography, pitch_of_topography
+from ._structs import rc_given, rc_map, rc_problem_view, rc_remark, rc_request_spec, rc_smooth
+from ._units import AssumedUnit, warn
+from .system import REPEATS, AssumedBoundary, HalfSpace, System
+
+CONTROLS = {"approach": _constants.RC_CONTROL_APPROACH}
+WARNINGS = {_constants.RC_REMARK_BOUNDARY: AssumedBoundary, _constants.RC_REMARK_UNIT: AssumedUnit}
+
+
+def _message() -> str:
+    return str(request_library().rc_request_last_error().decode(errors="replace"))
+
+
+@dataclass(frozen=True)
+class Map:
+    """A map as C has it; shape: of the array that was given, None where a file is not yet read; keep: what C reads."""
+
+    struct: rc_map
+    shape: Optional[Shape]
+    keep: Any
+
+
+def _blank(word: str) -> rc_map:
+    struct = rc_map()
+    struct.word = word.encode()
+    return struct
+
+
+def _file_map(thing: Any, word: str) -> Map:
+    struct, contents = _blank(word), contents_of(thing)
+    name = os.fsencode(name_of(thing))
+    struct.contents, struct.size, struct.name = (
+        ctypes.cast(ctypes.c_char_p(contents), ctypes.c_void_p),
+        len(contents),
+        name or None,
+    )
+    return Map(struct, None, (contents, name))
+
+
+def _described(thing: Any, mask: Any, pitch: Any) -> Tuple[Any, Any, Described, bool]:
+    """(heights, mask, what the map says of itself, whether its pitch is rounded)"""
+    if isinstance(thing, Surface):
+        return (
+            thing.heights,
+            thing.mask if mask is None else mask,
+            Described(thing.pitch[0], thing.pitch[1], thing.unit, thing.periodic),
+            False,
+        )
+    if has_methods_of_a_topography(thing):
+        if getattr(thing, "is_uniform", True) is False:
+            raise ArgumentError("the topography is not on a uniform grid; interpolate it onto one")
+        heights, unit = thing.heights(), getattr(thing, "unit", None)
+        repeats = getattr(thing, "is_periodic", False) or None  # False is what the package says where nobody knows
+        silent = thing.physical_sizes is None or (pitch is not None and np.ndim(heights) == 1)
+        hx, hy = (None, None) if silent else pitch_of_topography(thing, np.shape(heights))
+        return heights, mask, Described(hx, hy, unit, repeats), False
+    return thing, mask, described(thing) or Described(None, None, None, None), True
+
+
+def map_of(thing: Any, word: str, mask: Any = None, pitch: Any = None, leading: int = 0) -> Map:
+    """Heights of any kind as C has them. leading: axes that count surfaces"""
+    name = "undeformed_gap" if word == "gap" else "heights" if word == "surface" else word
+    values, mask, says, rounded = _described(thing, mask, pitch)
+    there = device_array(values, name) if word == "gap" else None
+    struct, keep, absent = _blank(word), [], None
+    array: Any = there
+    if there is None and word == "gap":
+        array = as_doubles(values, name)
+    elif there is None:
+        array, absent = without_masked(values, name)
+    shape = array.shape
+    if not 1 <= len(shape) - leading <= 2:
+        raise ShapeError(f"{name} have {len(shape)} axes: {leading + 1} or {leading + 2} are needed")
+    if there is None:
+        refuse_one_row(array, name, pitch, leading + 1)
+        heights = array if absent is None else np.where(absent, np.nan, array)
+        struct.heights = pointer(heights)
+        keep.append(heights)
+    shared = mask is not None and np.ndim(mask) < len(shape)
+    points = as_mask(mask, "mask", shape[leading:] if shared else shape)
+    if points is not None:
+        points = np.ascontiguousarray(np.broadcast_to(points, shape))
+        struct.mask = pointer(points)
+        keep.append(points)
+    struct.nx, struct.ny = columns_and_rows(shape[leading:])
+    struct.maps = shape[0] if leading else 1
+    struct.hx, struct.hy, struct.rounded = says.hx or 0.0, says.hy or 0.0, int(rounded)
+    struct.unit = None if says.unit is None else as_text(says.unit, "unit")
+    struct.periodic = -1 if says.periodic is None else int(says.periodic)
+    return Map(struct, shape, [keep, array, points])
+
+
+def _as_given(name: str, value: Any) -> Tuple[Any, Any, int]:
+    """(text, numbers, n)"""
+    if isinstance(value, (list, tuple)) and any(isinstance(each, str) for each in value):
+        value = ",".join(map(str, value))
+    if isinstance(value, str):
+        return as_text(value, name), None, 0
+    if isinstance(value, (int, float)):
+        return None, (ctypes.c_double * 1)(value), 1
+    try:
+        numbers = np.ascontiguousarray(value, np.float64).ravel()
+    except (TypeError, ValueError):
+        raise ArgumentError(f"{name} is {value!r}; numbers or a text are needed") from None
+    if numbers.size == 0:
+        raise ArgumentError(f"{name} is empty: one value for each step is needed")
+    return None, pointer(numbers), numbers.size
+
+
+class Request:
+    """A request of C, with what it means."""
+
+    def __init__(
+        self,
+        call: int,
+        words: Mapping[str, Any],
+        maps: Sequence[Map],
+        system: Optional[System] = None,
+        spelling: int = _constants.RC_SPELLING_KEYWORD,
+    ) -> None:
+        spec, self._handle = rc_request_spec(), None
+        given = {name: _as_given(name, value) for name, value in words.items() if value is not None}
+        pairs = (rc_given * len(given))()
+        for pair, (name, (text, numbers, n)) in zip(pairs, given.items()):
+            pair.word, pair.text, pair.numbers, pair.n = name.encode(), text, numbers, n
+        structs = (rc_map * len(maps))(*(each.struct for each in maps))
+        own = None if system is None else system.struct()
+        own_numbers = spelling == _constants.RC_SPELLING_KEYWORD
+        spec.call, spec.spelling = call, spelling
+        spec.numbers = _constants.RC_NUMBERS_OWN if own_numbers else _constants.RC_NUMBERS_SI
+        spec.words, spec.n_words, spec.maps, spec.n_maps = (
+            ctypes.addressof(pairs),
+            len(given),
+            ctypes.addressof(structs),
+            len(maps),
+        )
+        spec.system = None if own is None else ctypes.addressof(own[0])
+        self._keep = (given, maps)
+        handle = ctypes.c_void_p()
+        check(request_library().rc_request_create(spec, handle), _message)
+        self._handle, self.view = handle, rc_problem_view()
+        check(request_library().rc_request_problem(handle, self.view), _message)
+
+    def __del__(self) -> None:
+        if self._handle is not None:
+            request_library().rc_request_destroy(self._handle)
+
+    @property
+    def targets(self) -> Doubles:
+        found: Doubles = np.ctypeslib.as_array(self.view.targets, (self.view.n,)).copy()
+        return found
+
+    def remarks(self) -> List[rc_remark]:
+        library, found = request_library(), []
+        for index in range(library.rc_request_remark_count(self._handle)):
+            found.append(rc_remark())
+            check(library.rc_request_remark(self._handle, index, found[-1]), _message)
+        return found
+
+    def doubts(self, load: float) -> List[str]:
+        """Remarks on an answer: on doubtful words, and that the contact of a named shape does not fit on the map."""
+        smooth = rc_smooth()
+        said = [each.text.decode() for each in self.remarks() if each.severity == _constants.RC_DOUBTFUL]
+        if request_library().rc_request_smooth(self._handle, load, smooth) == 0:
+            said.append(smooth.remark.decode())
+        return [each for each in said if each]
+
+
+@dataclass(frozen=True)
+class Prescribed:
+    """What presses: name: "approach", "load" or "pressure"; given: its values; control, targets: the same as C has it."""
+
+    name: str
+    given: Doubles
+    control: int
+    targets: Doubles
+
+    def target(self) -> float:
+        """The value of a call that solves one step."""
+        if self.given.size != 1:
+            raise ArgumentError(
+                f"{self.name} has {self.given.size} values, and this call solves one step; roughcontact.history and "
+                "Contact.history solve one step for each"
+            )
+        return float(self.targets.ravel()[0])
+
+
+def _prescribed(name: str, values: Doubles, system: System) -> Prescribed:
+    if name != "pressure":
+        return Prescribed(name, values, CONTROLS.get(name, _constants.RC_CONTROL_LOAD), values)
+    area = float(np.prod(system.shape)) * system.pitch[0] * system.pitch[1]
+    return Prescribed(name, values, _constants.RC_CONTROL_LOAD, values * area)
+
+
+def prescribed(system: System, **ways: Any) -> Prescribed:
+    """The one that is given of approach, load and pressure, which is a mean one, over the whole grid."""
+    found = {name: value for name, value in ways.items() if value is not None}
+    if len(found) == 1:
+        ((name, value),) = found.items()
+        if not isinstance(value, (str, list, tuple)):
+            return _prescribed(name, np.asarray(value, np.float64), system)
+    request = Request(_constants.RC_CALL_HISTORY, found, [], system)
+    if request.view.loading is None:
+        raise ArgumentError(f"nothing presses: one of {', '.join(ways)} is needed")
+    return _prescribed(request.view.loading.decode(), request.targets, system)
+
+
+@dataclass(frozen=True)
+class Pressed:
+    """A problem: loading is None where nothing presses; mask: of its own for each surface where it has an axis more."""
+
+    system: System
+    gap: Any
+    mask: Optional[Mask]
+    loading: Optional[Prescribed]
+    request: Request
+
+    def surface(self) -> Surface:
+        """As pressed; its heights are the request's."""
+        view = self.request.view
+        heights = np.ctypeslib.as_array(view.heights, (int(np.prod(self.gap.shape)),)).reshape(self.gap.shape)
+        repeats = None if view.periodic < 0 else bool(view.periodic)
+        return Surface(heights, self.system.pitch, repeats, self.mask, "m" if view.si else None)
+
+    def needed(self) -> Prescribed:
+        if self.loading is None:
+            raise ArgumentError("nothing presses: one of approach, load, pressure is needed")
+        return self.loading
+
+    def remarked(self, result: Any) -> Any:
+        """A result with the remarks of its request."""
+        said = self.request.doubts(result.load) if result.contacts else []
+        return replace(result, note="; ".join(filter(None, [result.note, *said]))) if said else result
+
+
+def _half_space(request: Request, shape: Shape) -> HalfSpace:
+    struct, system = request.view.system, HalfSpace.__new__(HalfSpace)
+    system.shape, system.pitch, system.modulus = shape, (struct.hx, struct.hy), struct.modulus
+    system.boundary = list(REPEATS)[struct.boundary - 1]
+    system.periodic, system.hardness = REPEATS[system.boundary], struct.hardness or None
+    return system
+
+
+def _retried(
+    call: int, words: Dict[str, Any], things: Dict[str, Any], mask: Any, system: Optional[System], leading: int, spelling: int
+) -> Tuple[Request, List[Map]]:
+    """The request; files of formats that no reader knows come from the package SurfaceTopography."""
+    pitch = words.get("pitch")
+    own = {word: mask if word in ("surface", "gap") else None for word in things}
+
+    def maps() -> List[Map]:
+        return [
+            (
+                _file_map(thing, word)
+                if word != "gap" and is_file(thing)
+                else map_of(thing, word, own[word], pitch, leading if word in ("surface", "gap") else 0)
+            )
+            for word, thing in things.items()
+        ]
+
+    found = maps()
+    try:
+        return Request(call, words, found, system, spelling), found
+    except ArgumentError as error:
+        files = [word for word, thing in things.items() if is_file(thing)]
+        if not files or not ("unknown format" in str(error) or PACKAGE in str(error)):
+            raise
+        for word in files:
+            given = {name: words.pop(name, None) for name in ("pitch", "unit", "format")} if word == "surface" else {}
+            things[word] = surface_in(things[word], **given)
+        found = maps()
+        return Request(call, words, found, system, spelling), found
+
+
+def pressed(
+    call: int,
+    heights: Any,
+    undeformed_gap: Any,
+    mask: Any,
+    system: Optional[System],
+    words: Mapping[str, Any],
+    leading: int = 0,
+    spelling: int = _constants.RC_SPELLING_KEYWORD,
+) -> Pressed:
+    """The problem of a call. Of heights or a gap; leading: axes that count surfaces."""
+    if (heights is None) == (undeformed_gap is None):
+        raise ArgumentError(
+            f"{'both are' if heights is not None else 'neither is'} given: one of heights, undeformed_gap is needed"
+        )
+    words = dict(words)
+    things = {"surface": heights} if heights is not None else {"gap": undeformed_gap}
+    for word in ("against", "shape"):
+        thing = words.get(word)
+        if thing is not None and (word == "against" or not isinstance(thing, str)):
+            things[word] = words.pop(word)
+    if mask is not None and heights is not None and is_file(heights):
+        heights = things["surface"] = surface_in(
+            heights, words.pop("pitch", None), words.pop("unit", None), words.pop("format", None)
+        )
+    request, maps = _retried(call, words, things, mask, system, leading, spelling)
+    for remark in request.remarks():
+        if remark.code in WARNINGS and spelling == _constants.RC_SPELLING_KEYWORD:
+            warn(remark.text.decode(), WARNINGS[remark.code])
+    view = request.view
+    shape = maps[0].shape or (view.system.ny, view.system.nx)
+    found = _half_space(request, shape[leading:]) if system is None else system
+    if shape[leading:] != found.shape:
+        raise ShapeError(f"heights have shape {shape[leading:]}, the grid {found.shape}")
+    points = None
+    if view.mask:
+        points = np.ctypeslib.as_array(view.mask, (int(np.prod(shape)),)).reshape(shape).copy()
+    if heights is not None:
+        as_pressed = np.ctypeslib.as_array(view.heights, (int(np.prod(shape)),)).reshape(shape)
+        gap: Any = gap_below(as_pressed, points, leading)
+    else:
+        gap = undeformed_gap if isinstance(maps[0].keep[1], DeviceArray) else maps[0].keep[1]
+        gap = gap if view.metres == 1 else gap * view.metres
+    loading = None
+    if view.loading is not None:
+        name = view.loading.decode()
+        loading = _prescribed(
+            name, request.targets.reshape(np.shape(words[name]) if not isinstance(words[name], str) else -1), found
+        )
+    return Pressed(found, gap, points, loading, request)

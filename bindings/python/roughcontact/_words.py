@@ -1,0 +1,29 @@
+"""The words of request/words.def.
+
+Written by scripts/bindings.py.
+"""
+
+#: {word: (form of its value, meaning)}
+HELP = {
+    "format": ("NAME", "File format, if neither contents nor extension shows it"),
+    "pitch": ("H or HX,HY", "Cell size of a map that has none"),
+    "unit": ("UNIT", "Unit of lengths without a unit, among the words and in files: m (default), mm, um, nm, A"),
+    "missing": ("RULE", "Missing points: reject (default), fill (interpolate) or exclude (from contact)"),
+    "remove": ("FORM", "Level the map first: none (default), mean, plane or quadric"),
+    "against": ("FILE", "Second rough body: heights on the same grid, seen from the first, and added"),
+    "shape": ("SHAPE", "Nominal shape, added last: sphere:R=1mm, cylinder:R=1mm,axis=x or wedge:angle=5deg,axis=x"),
+    "modulus": ("E*", "Contact modulus"),
+    "E": ("E", "Young's modulus"),
+    "nu": ("NU", "Poisson's ratio"),
+    "E2": ("E", "Young's modulus of the other body (default: rigid)"),
+    "nu2": ("NU", "Poisson's ratio of the other body"),
+    "hardness": ("H", "Largest pressure; above it the surface yields (default: elastic)"),
+    "approach": ("TARGETS", "Approach from first touch of the highest point"),
+    "load": ("TARGETS", "Normal force"),
+    "pressure": ("TARGETS", "Mean pressure over the whole surface; of a law the range LOWER..UPPER"),
+    "boundary": (
+        "NAME",
+        "periodic: the map is a sample of a larger surface; free: the body ends at its edges; periodic-x, periodic-y: "
+        "it repeats along this axis only (default: as the map says; free with a shape; else periodic)",
+    ),
+}

@@ -1,0 +1,53 @@
+// What a request owns: the words as given, the problem that they mean, and remarks.
+#pragma once
+
+#include <roughcontact/request.h>
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "request/maps.h"
+#include "request/shapes.h"
+#include "request/words.h"
+
+struct rc_request {
+  rc_problem_view view = RC_PROBLEM_VIEW_INIT;
+  std::deque<rc::request::Map> maps;  // whose heights and mask the view has
+  std::vector<double> targets;
+  std::string loading, format;
+  std::optional<rc::request::Shape> shape;
+  std::vector<std::pair<std::string, std::string>> options;
+
+  struct Remark {
+    int32_t code, severity;
+    std::string word, text;
+    double number[3] = {0, 0, 0};
+  };
+  std::vector<Remark> remarks;
+};
+
+namespace rc::request {
+
+// Every bare length and every unit among words and maps.
+struct Units {
+  BareUnit bare;
+  bool si = false;
+  std::string lengths;  // without a unit, for the remark: "heights of surface.npy, --pitch"
+
+  void add(const std::string& what) { lengths += (lengths.empty() ? "" : ", ") + what; }
+  void see(const std::vector<Quantity>& quantities);
+};
+
+// The contact modulus of both bodies, and the hardness. Doubts about them go into the remarks.
+void set_elasticity(const Words& words, Units& units, rc_request& request);
+// needed: whether it is an error if nothing presses.
+void set_loading(const Words& words, Units& units, bool needed, rc_request& request);
+void set_boundary(const Words& words, rc_request& request);
+
+// Reads the maps and does to them what the words say; sets the grid.
+void set_surface(const rc_request_spec& spec, const Words& words, Units& units, rc_request& request);
+
+}  // namespace rc::request

@@ -1,0 +1,258 @@
+"""Every word in every door: the same answer to 1e-12, or the same refusal; and none is missing in a door without a reason."""
+
+import ctypes
+import json
+import os
+import pathlib
+import re
+import subprocess
+import warnings
+
+import numpy as np
+import pytest
+
+import roughcontact as rc
+from roughcontact import raw
+from roughcontact.report.content import collect
+from roughcontact.report.request import read_request
+
+SIDE = 16
+CALLS = ("solve", "history", "batch", "law", "analyze", "ranks")
+BASE = {"pitch": "1um", "unit": "m", "modulus": "1GPa", "load": "10uN", "boundary": "periodic"}
+LOADING = ("approach", "load", "pressure")
+ELASTIC = {"modulus": None, "E": "2GPa", "nu": "0.3"}
+
+#: {word: values that are right; None takes a word away}
+RIGHT = {
+    "surface": [{}],
+    "gap": [],
+    "format": [{"format": "npy"}],
+    "pitch": [{"pitch": "1um,2um"}, {"pitch": "1e-6"}, {"pitch": "1000nm"}],
+    "unit": [{"unit": "um", "pitch": "1"}, {"unit": "um", "pitch": "1um", "load": "1N"}],
+    "missing": [{"surface": "holed.npy", "missing": "fill"}, {"surface": "holed.npy", "missing": "exclude"}],
+    "remove": [{"remove": form} for form in ("none", "mean", "plane", "quadric")],
+    "against": [{"against": "other.npy"}, {"against": "holed.npy", "missing": "fill", "remove": "plane"}],
+    "shape": [
+        {"shape": shape, "boundary": None}
+        for shape in ("sphere:R=1mm", "cylinder:R=1mm", "cylinder:R=1mm,axis=y", "wedge:angle=1deg")
+    ],
+    "modulus": [{"modulus": "3GPa"}, {"modulus": "3e9"}],
+    "E": [ELASTIC],
+    "nu": [{**ELASTIC, "nu": "0.5"}],
+    "E2": [{**ELASTIC, "E2": "1GPa", "nu2": "0.2"}],
+    "nu2": [{**ELASTIC, "E2": "1GPa", "nu2": "0.4"}],
+    "hardness": [{"hardness": "30MPa"}],
+    "approach": [{"approach": "20nm", "load": None}],
+    "load": [{"load": "20uN"}, {"load": "2e-5"}],
+    "pressure": [{"pressure": "100kPa", "load": None}],
+    "area": [],
+    "boundary": [{"boundary": name} for name in ("free", "periodic-x", "periodic-y")],
+    "kernel": [{"kernel": "love", "boundary": "free"}],
+    "solver": [{"solver": "polonsky-keer"}],
+    "backend": [{"backend": "dense"}],
+    "tol": [{"tol": "1e-10"}],
+    "threads": [{"threads": "2"}],
+}
+#: {word: values that are refused}
+WRONG = {
+    "surface": [{"surface": "holed.npy"}, {"surface": "infinite.npy"}, {"surface": "empty.npy"}],
+    "format": [{"format": "nonsense"}],
+    "pitch": [
+        {"pitch": "1"},
+        {"pitch": "1kg"},
+        {"pitch": "1MPa"},
+        {"pitch": "-1um"},
+        {"pitch": "1um,2um,3um"},
+        {"pitch": "1um,2"},
+        {"pitch": None},
+    ][1:],
+    "unit": [{"unit": "MPa"}],
+    "missing": [{"missing": "fil"}],
+    "remove": [{"remove": "parabola"}],
+    "against": [{"against": "narrow.npy"}],
+    "shape": [
+        {"shape": text}
+        for text in (
+            "ball",
+            "sphere",
+            "sphere:R=0",
+            "sphere:R=1um",
+            "sphere:R=1mm,axis=x",
+            "wedge:angle=5",
+            "wedge:angle=95deg",
+        )
+    ],
+    "modulus": [{"modulus": "3gpa"}, {"modulus": "0"}, {"modulus": None}, {**ELASTIC, "modulus": "1GPa"}],
+    "E": [{**ELASTIC, "E": None}, {**ELASTIC, "E": "1N"}],
+    "nu": [{**ELASTIC, "nu": None}, {**ELASTIC, "nu": "0.6"}, {**ELASTIC, "nu": "much"}],
+    "E2": [{"modulus": None, "E2": "1GPa", "nu2": "0.3"}, {**ELASTIC, "E2": "1GPa"}],
+    "nu2": [{**ELASTIC, "nu2": "0.3"}, {**ELASTIC, "E2": "1GPa", "nu2": "-1"}],
+    "hardness": [{"hardness": "1m"}],
+    "approach": [{"approach": "1Pa", "load": None}, {"approach": "1nm"}],
+    "load": [
+        {"load": "1"},
+        {"load": "1mm"},
+        {"load": None},
+        {"load": "1uN:2uN"},
+        {"load": "0..1uN:3log"},
+        {"load": "1uN..2uN:0"},
+    ][1:],
+    "pressure": [{"pressure": "1nm", "load": None}],
+    "boundary": [{"boundary": "open"}],
+}
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    made = tmp_path_factory.mktemp("words")
+    rough, other = (
+        rc.surface.spectral((SIDE, SIDE), pitch=1e-6, rms_height=1e-7, hurst=0.8, seed=seed).heights for seed in (1, 2)
+    )
+    holed = other.copy()
+    holed[3, 4] = holed[9, 2] = np.nan
+    infinite = rough.copy()
+    infinite[1, 2] = np.inf
+    maps = {
+        "surface": rough,
+        "other": other,
+        "holed": holed,
+        "infinite": infinite,
+        "empty": rough * np.nan,
+        "narrow": rough[:, 1:],
+    }
+    for name, z in maps.items():
+        np.save(made / f"{name}.npy", z)
+    return made
+
+
+@pytest.fixture(scope="module")
+def command():
+    found = os.environ.get("ROUGHCONTACT_COMMAND") or pathlib.Path(rc.library_file()).resolve().parents[1] / "bin/roughcontact"
+    return pathlib.Path(found)
+
+
+def table():
+    library, words = raw.request_library(), []
+    for index in range(library.rc_word_count()):
+        word = raw.rc_word()
+        assert library.rc_word_describe(index, word) == 0
+        words.append(word)
+    return words
+
+
+def given(change):
+    return {name: value for name, value in {"surface": "surface.npy", **BASE, **change}.items() if value is not None}
+
+
+def plain(text):
+    """A message without the spelling of its door."""
+    text = re.sub(r"([A-Za-z0-9]+)='([^']*)'", r"\1 \2", text)
+    return " ".join(text.replace("--", "").split())
+
+
+def by_command(command, folder, words):
+    words = dict(words)
+    options = [word for name, value in words.items() if name != "surface" for word in ("--" + name, value)]
+    done = subprocess.run(
+        [str(command), "solve", words["surface"], *options, "--quiet", "--out", "out", "--no-maps"],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        env={**os.environ, "PATH": "/nonexistent"},
+    )
+    if done.returncode == 1:
+        return plain(done.stderr.strip().splitlines()[-1].partition(": ")[2])
+    step = json.loads((folder / "out/summary.json").read_text())["steps"][0]
+    return step["load"], step["approach"], step["area_fraction"]
+
+
+def of(call):
+    """What a call in Python answers or says."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        try:
+            return call()
+        except rc.RoughContactError as error:
+            return plain(str(error))
+
+
+def numbers(step):
+    return step.load, step.approach, step.area_fraction
+
+
+def doors(folder, words):
+    words = dict(words)
+    surface = words.pop("surface")
+    numeric = {"tol": float, "threads": int}
+    named = {name: numeric[name](value) if name in numeric else value for name, value in words.items()}
+    yield "solve", of(lambda: numbers(rc.solve(surface, stiffness=1, **named)))
+    yield "history", of(lambda: numbers(rc.history(surface, stiffness=True, **named)[0]))
+    yield "report", of(
+        lambda: numbers(collect(read_request([surface, *(f"--{name}={value}" for name, value in words.items())])).steps[-1])
+    )
+    if "unit" in words:  # as an array the surface has no unit of its own
+        yield "array", of(
+            lambda: numbers(rc.solve(np.load(surface), stiffness=1, **{k: v for k, v in named.items() if k != "format"}))
+        )
+
+    def batch():
+        found = rc.batch(surface, **named)
+        return found.load[0, 0], found.approach[0, 0], found.contact_area[0, 0]
+
+    yield "batch", of(batch)
+
+
+def test_every_word_is_in_the_matrix_and_says_where_it_is_not():
+    words = table()
+    assert [word.name.decode() for word in words] == list(RIGHT)
+    for word in words:
+        assert word.help and word.form and (word.calls == 63) == (not word.why_not), word.name
+        assert word.calls & ~63 == 0 and word.struct_size == ctypes.sizeof(word)
+
+
+@pytest.mark.parametrize("word", [name for name in RIGHT if RIGHT[name]])
+def test_the_same_answer(word, folder, command, monkeypatch):
+    monkeypatch.chdir(folder)
+    for change in RIGHT[word]:
+        words = given(change)
+        found = dict(doors(folder, words))
+        if command.exists():
+            found["command"] = by_command(command, folder, words)
+        if {"kernel", "solver", "backend"} & set(change):
+            found.pop("report")  # these are options of the library, which a report does not take
+        want = found["solve"]
+        assert not isinstance(want, str), (change, want)
+        for door, answer in found.items():
+            close = 1e-12 if door != "report" and "tol" not in change else 1e-6
+            if door in ("report", "batch", "command", "array", "history"):
+                assert not isinstance(answer, str), (door, change, answer)
+                assert answer[:2] == pytest.approx(want[:2], rel=close), (door, change)
+
+
+@pytest.mark.parametrize("word", WRONG)
+def test_the_same_refusal(word, folder, command, monkeypatch):
+    monkeypatch.chdir(folder)
+    for change in WRONG[word]:
+        words = given(change)
+        found = dict(doors(folder, words))
+        found.pop("array", None)  # its map is named otherwise
+        if command.exists():
+            found["command"] = by_command(command, folder, words)
+        assert all(isinstance(said, str) for said in found.values()), (change, found)
+        said = {
+            re.sub(r", (or )?area| or area", "", text).replace("load, pressure", "load or pressure") for text in found.values()
+        }
+        assert len(said) == 1, (change, found)
+
+
+@pytest.mark.parametrize("call, how", [(rc.law, {"pressure": "1kPa..1MPa", "tolerance": 0.2}), (rc.surface.analyze, {})])
+def test_words_that_a_call_does_not_take_are_refused(call, how, folder, monkeypatch):
+    monkeypatch.chdir(folder)
+    if call is rc.law:
+        text = of(lambda: call("surface.npy", **{**BASE, "load": "1N", **how}))
+        assert (
+            text == "load is not a word of law: a law is made between two pressures; nothing presses when a surface is analysed"
+        )
+    else:
+        with pytest.raises(TypeError, match="load"):
+            call("surface.npy", load="1N")
