@@ -1,30 +1,29 @@
-#!/bin/sh
-# packaging/debian_source.sh OUT: builds the Debian source package of the last commit and the packages from it, in the folder OUT; as root
-# in a clean Debian (debootstrap), with a user's rights for the build. lintian looks at them where the clean Debian has it.
-set -eu
-[ $# = 1 ] || { echo "usage: packaging/debian_source.sh OUT" >&2; exit 2; }
-[ "$(id -u)" = 0 ] && command -v debootstrap >/dev/null || { echo "skipped: needs root and debootstrap"; exit 77; }
-here=$(cd "$(dirname "$0")" && pwd)
+#!/usr/bin/env bash
+# packaging/debian_source.sh OUT: makes the Debian source package of the last commit, with debian/ from packaging/debian, and by
+# dpkg-buildpackage its packages, in a clean system of this release of Debian; lintian looks at them. All go into the folder OUT.
+# JOBS: compilers at a time. Needs root, debootstrap and a mirror of Debian; exit code 77 without.
+set -euo pipefail
+[ $# = 1 ] || { echo "usage: $0 OUT"; exit 1; }
 mkdir -p "$1"
 out=$(cd "$1" && pwd)
-version=$(sed -n '1s/^roughcontact (\(.*\)-1).*/\1/p' "$here/debian/changelog")
-root=$(mktemp -d)
-trap 'rm -rf "$root"' EXIT
-debootstrap --variant=buildd bookworm "$root" "${MIRROR:-http://deb.debian.org/debian}" >"$out/debootstrap.log" 2>&1 ||
-  { echo "skipped: no Debian can be fetched; see debootstrap.log"; exit 77; }
-"$here/recipes.sh" "$out/recipes" # with the address and the maintainer of published.txt
-work=$root/build/roughcontact-$version
-mkdir -p "$work"
-git -C "$here/.." archive --prefix="roughcontact-$version/" HEAD | gzip -n >"$root/build/roughcontact_$version.orig.tar.gz"
+. "$(dirname "$0")/clean_system.sh"
+version=$(sed -n '1s/^roughcontact (\(.*\)-1).*/\1/p' "$source/packaging/debian/changelog")
+clean_system build-essential,ca-certificates,devscripts,equivs,lintian
+mount -t proc proc "$root/proc"
+cp /etc/resolv.conf "$root/etc/resolv.conf"
+quietly inside apt-get update -qq
+
+tree=$root/build/roughcontact-$version
+mkdir -p "$root/build"
+git -C "$source" archive --prefix="roughcontact-$version/" HEAD | gzip -n >"$root/build/roughcontact_$version.orig.tar.gz"
 tar -xzf "$root/build/roughcontact_$version.orig.tar.gz" -C "$root/build"
-cp -R "$out/recipes/debian" "$work/debian"
-inside() { chroot "$root" env DEBIAN_FRONTEND=noninteractive LC_ALL=C "$@"; }
-inside apt-get install -y -q --no-install-recommends devscripts equivs lintian >"$out/apt.log" 2>&1
-inside sh -c "cd /build/roughcontact-$version && mk-build-deps --install --remove --tool 'apt-get -y -q --no-install-recommends' debian/control" \
-  >>"$out/apt.log" 2>&1 || { tail "$out/apt.log" >&2; exit 1; }
-inside sh -c "useradd -m builder && chown -R builder /build && cd /build/roughcontact-$version && rm -f *.buildinfo *.changes &&
-  su builder -c 'DEB_BUILD_OPTIONS=parallel=${JOBS:-2} nice -n 12 dpkg-buildpackage -us -uc'" >"$out/build.log" 2>&1 ||
-  { tail -n 30 "$out/build.log" >&2; exit 1; }
-inside su builder -c "cd /build && lintian --fail-on error --suppress-tags bogus-mail-host,initial-upload-closes-no-bugs *.changes" || exit 1
+"$source/packaging/recipes.sh" "$root/recipes"
+cp -R "$root/recipes/debian" "$tree/debian"
+in_tree() { inside sh -c "cd /build/roughcontact-$version && $1"; }
+quietly in_tree "mk-build-deps --install --remove --tool 'apt-get -y -q --no-install-recommends' debian/control && rm -f *.buildinfo *.changes"
+inside useradd -m builder
+inside chown -R builder /build
+quietly in_tree "su builder -c 'DEB_BUILD_OPTIONS=parallel=${JOBS:-$(nproc)} dpkg-buildpackage -us -uc'"
 find "$root/build" -maxdepth 1 -type f -exec cp {} "$out" \;
-ls -l "$out"/*.deb "$out"/*.dsc
+ls -l "$out"/*.dsc "$out"/*.deb
+inside su builder -c "cd /build && lintian --fail-on error --suppress-tags bogus-mail-host,initial-upload-closes-no-bugs *.changes"
