@@ -39,8 +39,8 @@ class RoughcontactConan(ConanFile):
     def generate(self):
         CMakeDeps(self).generate()
         toolchain = CMakeToolchain(self)
-        for part in ("TESTS", "BENCH", "EXAMPLES", "TOOLS", "SURFACE"):
-            toolchain.cache_variables[f"RC_BUILD_{part}"] = False
+        for part in ("RC_BUILD_TESTS", "RC_BUILD_BENCH", "RC_BUILD_EXAMPLES", "RC_BUILD_TOOLS", "RC_BUILD_SURFACE"):
+            toolchain.cache_variables[part] = False
         toolchain.cache_variables["RC_BUILD_FORMATS"] = bool(self.options.formats)
         toolchain.cache_variables["RC_BUILD_MPI"] = "OFF"
         toolchain.cache_variables["RC_CUDA"] = "OFF"

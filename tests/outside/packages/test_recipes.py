@@ -83,7 +83,7 @@ def test_spack_recipe(monkeypatch):
     assert {"eigen@3.4:", "gsl", "libzip", "pugixml", "cmake@3.22:"} <= {arguments[0] for arguments in directives["depends_on"]}
     arguments = names["Roughcontact"]().cmake_args()
     assert "-DRC_MODULE_BACKENDS=fft;split;cholmod" in arguments and any("RC_PYTHON_DIR=/prefix" in each for each in arguments)
-    assert all(re.fullmatch(r"-D[A-Z_]+=\S+", each) for each in arguments)
+    assert all(re.fullmatch(r"-D[A-Z0-9_]+=\S+", each) for each in arguments)
 
 
 def test_style_of_the_spack_recipe():
