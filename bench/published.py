@@ -291,8 +291,8 @@ def summary(document):
     if 'slip' in rows:
         exact, *others = rows['slip']
         add('slip', 'shear force of a rough surface in partial slip, from its normal contact alone', 'Ciavarella 1998, Jäger 1998', 'exact at ν = 0',
-            f'within {100 * exact["most"]:.0e} % at ν = 0, {100 * max(row["most"] for row in others):.1f} % up to ν = 0.5',
-            'the model leaves out what shear along one axis moves along the other')
+            f'within {100 * exact["most"]:.0e} % at ν = 0, ' + ', '.join(f'{100 * row["most"]:.1f} % at {row["nu"]:g}' for row in others),
+            'the model has one stiffness for all directions; these samples differ by direction')
     for row in rows.get('forms', ()):
         add('forms', row['title'], row['source'], f'closed form of the {row["quantity"]}', f'error {row["fine_error"]:.0e} on {row["fine"]}²',
             f'cells: order {row["order"]:.1f}' if row['order'] else '')

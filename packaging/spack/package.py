@@ -18,9 +18,15 @@ class Roughcontact(CMakePackage):
     variant("tools", default=True, description="The command roughcontact")
     variant("cholmod", default=True, description="Backend cholmod, factorisations by SuiteSparse")
     variant("python", default=True, description="The Python package")
+    variant("mpi", default=False, description="Contacts shared by ranks of MPI")
+    variant("cuda", default=False, description="Backend for CUDA devices")
+    variant("hdf5", default=False, description="Surface files in HDF5")
 
     depends_on("c", type="build")
     depends_on("cxx", type="build")
+    depends_on("mpi", when="+mpi")
+    depends_on("cuda", when="+cuda")
+    depends_on("hdf5", when="+hdf5")
     depends_on("cmake@3.22:", type="build")
     depends_on("pkgconfig", type="build")
     depends_on("eigen@3.4:", type="build")
@@ -42,6 +48,9 @@ class Roughcontact(CMakePackage):
         args = [
             self.define("CMAKE_INSTALL_LIBDIR", "lib"),  # where the Python package looks
             self.define_from_variant("RC_BUILD_TOOLS", "tools"),
+            self.define_from_variant("RC_BUILD_MPI", "mpi"),
+            self.define_from_variant("RC_CUDA", "cuda"),
+            self.define_from_variant("RC_READ_HDF5", "hdf5"),
             self.define("RC_BUILD_TESTS", False),
             self.define("RC_BUILD_BENCH", False),
             self.define("RC_BUILD_EXAMPLES", False),

@@ -83,7 +83,7 @@ def test_spack_recipe(monkeypatch):
     assert {"eigen@3.4:", "gsl", "libzip", "pugixml", "cmake@3.22:"} <= {arguments[0] for arguments in directives["depends_on"]}
     arguments = names["Roughcontact"]().cmake_args()
     assert "-DRC_MODULE_BACKENDS=fft;split;cholmod" in arguments and any("RC_PYTHON_DIR=/prefix" in each for each in arguments)
-    assert all(re.fullmatch(r"-D[A-Z_]+=\S+", each) for each in arguments)
+    assert all(re.fullmatch(r"-D[A-Z0-9_]+=\S+", each) for each in arguments)
 
 
 def test_style_of_the_spack_recipe():
@@ -92,3 +92,46 @@ def test_style_of_the_spack_recipe():
     command = [sys.executable, "-m", "flake8", "--isolated", "--max-line-length=99", "--extend-ignore=F403,F405", str(RECIPE)]
     ran = subprocess.run(command, capture_output=True, text=True)
     assert ran.returncode == 0, ran.stdout + ran.stderr
+
+
+@pytest.fixture(name="filled", scope="module")
+def _filled(tmp_path_factory):
+    """The recipes with what a published release has."""
+    out = tmp_path_factory.mktemp("recipes")
+    subprocess.run([SOURCE / "packaging" / "recipes.sh", out], check=True)
+    return out
+
+
+def test_recipes_are_filled_in(filled):
+    facts = dict(line.split("=", 1) for line in (SOURCE / "packaging" / "published.txt").read_text().splitlines() if "=" in line)
+    texts = {path.relative_to(filled): path.read_text() for path in filled.rglob("*") if path.is_file()}
+    assert not [path for path, text in texts.items() if re.search(r"@[A-Z0-9]+@", text)]
+    for kind, wanted in {"conan": "archive sha256 homepage", "vcpkg": "archive sha512 homepage", "spack": "archive sha256 homepage account",
+                         "conda": "archive sha256 homepage account", "debian": "homepage maintainer"}.items():
+        whole = "".join(text for path, text in texts.items() if path.parts[0] == kind)
+        assert all(facts[name] in whole for name in wanted.split()), kind
+
+
+def test_conan_recipe(filled, monkeypatch, tmp_path):
+    """Conan reads it, and takes it into its cache; nothing is built."""
+    pytest.importorskip("conan")
+    monkeypatch.setenv("CONAN_HOME", str(tmp_path))
+    command = [sys.executable, "-m", "conans.conan"]
+    inspected = json.loads(subprocess.run([*command, "inspect", "-f", "json", filled / "conan"], check=True, capture_output=True, text=True).stdout)
+    assert inspected["name"] == "roughcontact" and set(inspected["options"]) == {"shared", "fPIC", "formats"}
+    subprocess.run([*command, "export", filled / "conan"], check=True, capture_output=True)
+
+
+def test_filled_conda_recipe(filled):
+    rattler = pytest.importorskip("rattler_build")
+    recipe = rattler.Stage0Recipe.from_file(str(filled / "conda" / "recipe.yaml"))
+    variants = {"c_compiler": ["gcc"], "cxx_compiler": ["gxx"], "c_stdlib": ["sysroot"], "python": ["3.12"]}
+    (rendered,) = recipe.render(rattler.VariantConfig(variants))
+    assert rendered.recipe.to_dict()["about"]["homepage"]
+
+
+def test_vcpkg_manifest(filled):
+    manifest = json.loads((filled / "vcpkg" / "vcpkg.json").read_text())
+    assert manifest["name"] == "roughcontact" and re.fullmatch(r"\d+\.\d+\.\d+", manifest["version"])
+    assert {"eigen3", "vcpkg-cmake"} <= {each if isinstance(each, str) else each["name"] for each in manifest["dependencies"]}
+    assert (filled / "vcpkg" / "usage").exists()

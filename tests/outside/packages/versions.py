@@ -14,12 +14,14 @@ SAYS = {
     "CHANGELOG.md": r"^## (\S+)",
     "CITATION.cff": r"^version: (\S+)",
     "bindings/python/roughcontact/__init__.py": r'^__version__ = "(.*)"',
+    "packaging/debian/changelog": r"^roughcontact \((.*)-1\)",
     "docs/how-to/cite.md": r"solved with roughcontact (\S+)",
     "include/roughcontact/roughcontact.h": r"MAJOR (\d+)\n.*MINOR (\d+)\n.*PATCH (\d+)",
     "packaging/conda/recipe.yaml": r'^  version: "(.*)"',
     "packaging/spack/package.py": r'^    version\("(.*?)"',
 }
-RECIPES = ["packaging/conda/recipe.yaml", "packaging/spack/package.py", "packaging/build.sh", "pyproject.toml"]
+RECIPES = ["packaging/conda/recipe.yaml", "packaging/spack/package.py", "packaging/conan/conanfile.py", "packaging/vcpkg/portfile.cmake",
+           "packaging/debian/rules", "packaging/build.sh", "pyproject.toml"]
 
 
 def main() -> int:
@@ -35,7 +37,7 @@ def main() -> int:
         says_version = ".".join(found.groups()) if found else "nothing"
         if says_version != version:
             wrong.append(f"{name} says {says_version}, CMakeLists.txt {version}")
-    declared = "".join(file.read_text() for file in [source / "CMakeLists.txt", source / "tools/CMakeLists.txt", *(source / "bindings").rglob("CMakeLists.txt")])
+    declared = "".join(file.read_text() for file in [source / "CMakeLists.txt", source / "tools/CMakeLists.txt", source / "formats/CMakeLists.txt", *(source / "bindings").rglob("CMakeLists.txt")])
     options = set(re.findall(r"(?:option|set)\((RC_\w+)", declared))
     for name in RECIPES:
         for option in set(re.findall(r"\bRC_[A-Z_]+\b", (source / name).read_text())) - options:
