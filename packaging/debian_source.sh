@@ -8,10 +8,11 @@ mkdir -p "$1"
 out=$(cd "$1" && pwd)
 . "$(dirname "$0")/clean_system.sh"
 version=$(sed -n '1s/^roughcontact (\(.*\)-1).*/\1/p' "$source/packaging/debian/changelog")
-clean_system build-essential,ca-certificates,devscripts,equivs,lintian
+clean_system ca-certificates
 mount -t proc proc "$root/proc"
 cp /etc/resolv.conf "$root/etc/resolv.conf"
 quietly inside apt-get update -qq
+quietly inside apt-get install -y -qq --no-install-recommends build-essential devscripts equivs lintian
 
 tree=$root/build/roughcontact-$version
 mkdir -p "$root/build"

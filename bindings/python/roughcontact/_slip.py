@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Callable, NamedTuple, Optional, Sequence, Tuple
+from typing import Any, Callable, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,9 +13,6 @@ from ._calls import check
 from ._errors import ArgumentError
 from ._library import contact_library
 from ._structs import rc_law_slip_state
-
-if TYPE_CHECKING:
-    from ._law import Law
 
 
 class ShearBounds(NamedTuple):
@@ -32,7 +29,7 @@ class SlipState:
     friction, per nominal area; joined: see `rc_law_slip`
     """
 
-    def __init__(self, law: Law, struct: rc_law_slip_state) -> None:
+    def __init__(self, law: Any, struct: rc_law_slip_state) -> None:
         self._law, self._struct = law, struct
         self.p, self.slope, self.dissipated, self.joined = struct.p, struct.slope, struct.dissipated, struct.joined
         self.shear, self.shear_by_x = np.array(struct.shear), np.array(struct.shear_by_x)
@@ -59,7 +56,7 @@ class Slip:
     mu: coefficient of friction; nu: Poisson's ratio of both bodies
     """
 
-    def __init__(self, law: Law, mu: float, nu: float) -> None:
+    def __init__(self, law: Any, mu: float, nu: float) -> None:
         self.law, self.mu, self.nu = law, float(mu), float(nu)
         self.rest.step(0)  # refuses bad numbers
 

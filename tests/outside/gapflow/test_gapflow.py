@@ -19,31 +19,8 @@ warnings.simplefilter("ignore")
 THEIRS, OURS = topography.ElasticDeformation, rough_elasticity.ElasticDeformation
 
 # The parabolic slider of GaPFlow's tutorial 9.
-SLIDER = """
-options: {silent: True}
-grid:
-    Lx: 0.0762
-    Ly: 1.
-    Nx: 100
-    Ny: 1
-    xE: ['D', 'N', 'N']
-    xW: ['D', 'N', 'N']
-    yS: ['P', 'P', 'P']
-    yN: ['P', 'P', 'P']
-    xE_D: 850.
-    xW_D: 850.
-geometry: {type: parabolic, hmin: 0.5e-5, hmax: 5.0e-4, U: 10.0, V: 0.}
-numerics: {adaptive: 1, CFL: 0.45, tol: 1e-8, dt: 1.e-10, max_it: 300}
-properties:
-    EOS: Bayada
-    rho0: 850.
-    shear: 0.039
-    bulk: 0.
-    cl: 1600.
-    cv: 352.
-    elastic: {E: 5e09, v: 0.3, alpha_underrelax: 1e-03}
-    piezo: {name: Dukler, shearv: 3.9e-5, rhol: 850., rhov: 0.019}
-"""
+with open(sys.argv[1] + "/input.yaml", encoding="utf-8") as text:
+    SLIDER = text.read()
 
 
 # The journal bearing of the same tutorial.
