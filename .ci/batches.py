@@ -1,17 +1,18 @@
 #!/usr/bin/env python3
-"""Names that clash where all files of a target are compiled as one batch: two of them define the name in an unnamed namespace, or as a
-static function, in the same namespaces."""
+"""Names that clash where all files of a target are compiled as one batch: two of them define the name in an unnamed namespace, or
+as a static function, in the same namespaces."""
 import collections
 import pathlib
 import re
 import subprocess
 import sys
 
-# What is compiled into one target: the longest prefix of a file's name counts. A backend, a program of tools and a test are their own.
+# Beginnings of the names of a target's files; the longest one counts.
 TARGETS = ('src/', 'formats/', 'surface/', 'mpi/', 'backends/cholmod/', 'backends/common/', 'backends/dense/', 'backends/fft/',
            'backends/split/')
-TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\'|^[ \t]*#(?:\\\n|[^\n])*|[{}();=]|[\w:~]+|[^\s]', re.S | re.M)
-NO_NAMES = {'if', 'for', 'while', 'switch', 'return', 'operator', 'noexcept', 'decltype', 'alignas', 'requires', 'static_assert', 'const'}
+COMMENT, TEXT, DIRECTIVE = r'//[^\n]*|/\*.*?\*/', r'"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\'', r'^[ \t]*#(?:\\\n|[^\n])*'
+TOKEN = re.compile(rf'{COMMENT}|{TEXT}|{DIRECTIVE}|[\w:~]+|\S', re.S | re.M)
+NO_NAMES = {'operator', 'noexcept', 'decltype', 'alignas', 'requires', 'static_assert', 'const'}
 
 
 def hidden_names(text):
