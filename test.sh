@@ -100,6 +100,7 @@ gcc_build() { build gcc -DRC_BUILD_BENCH=ON || failed=$((failed + 1)); }
 source_checks() {
   check .ci/include_graph.py
   check .ci/platforms.py
+  check .ci/batches.py
   check .ci/constants.py
   check .ci/format.sh
 }

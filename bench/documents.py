@@ -97,7 +97,7 @@ def measure_speed_accuracy(remake):
         remake.run('peers', '--scenes', remake.exported, *remake.threads, into='pareto')
 
 
-# What is measured, the tables and the pictures.
+# The measurements, tables and pictures of each page.
 DOCUMENTS = {'speed-accuracy': (measure_speed_accuracy, speed_accuracy_tables.sections, speed_accuracy_tables.pictures),
              'paper': (measure_paper, paper_tables.sections, paper_pictures.pictures),
              'physics': (one_question('physics'), physics.sections, physics.pictures),

@@ -1,4 +1,4 @@
-"""What is compiled: products and transforms that are timed, the textbook method. See native/."""
+"""The compiled programs: products and transforms that are timed, the textbook method. See native/."""
 import ctypes as C
 import functools
 import os

@@ -57,7 +57,7 @@ class Bench:
             document.setdefault(key, empty)
         document['provenance'].update(python=sys.version.split()[0], numpy=np.__version__)
 
-    # What runs
+    # Runs
 
     def find_codes(self):
         codes = self.store.document['codes']

@@ -1,5 +1,5 @@
-// What one solve or product at a time works with: the device, rooms of memory that grow, and plans of transforms. Contacts lend
-// engines to each other.
+// An engine: device, memory that grows and plans of transforms for one solve or product at a time. Contacts lend engines to each
+// other.
 #pragma once
 
 #include <algorithm>

@@ -13,7 +13,7 @@ template <class Handle, void (*destroy)(Handle*), class Create> auto made(const 
   return std::unique_ptr<Handle, decltype([](Handle* each) { destroy(each); })>(handle);
 }
 
-// What is asked of the timer and what it found; rc_solver::solve has no user pointer.
+// Request and answer of the timer; rc_solver::solve has no user pointer.
 thread_local struct {
   double budget;          // seconds to spend, three products at least
   bool single;            // precision

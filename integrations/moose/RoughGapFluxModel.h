@@ -5,21 +5,20 @@
 
 struct rc_law;
 
-class RoughGapFluxModel : public GapFluxModelBase
-{
-public:
+class RoughGapFluxModel : public GapFluxModelBase {
+ public:
   static InputParameters validParams();
 
-  RoughGapFluxModel(const InputParameters & parameters);
+  RoughGapFluxModel(const InputParameters& parameters);
 
   ADReal computeFlux() const override;
 
-private:
-  const ADVariableValue & _primary_T;
-  const ADVariableValue & _secondary_T;
-  const ADVariableValue & _contact_pressure;
-  const ADMaterialProperty<Real> & _primary_conductivity;
-  const ADMaterialProperty<Real> & _secondary_conductivity;
-  const Real _length, _pressure; // one unit of the law in units of the model
-  const rc_law * _law;
+ private:
+  const ADVariableValue& _primary_T;
+  const ADVariableValue& _secondary_T;
+  const ADVariableValue& _contact_pressure;
+  const ADMaterialProperty<Real>& _primary_conductivity;
+  const ADMaterialProperty<Real>& _secondary_conductivity;
+  const Real _length, _pressure;  // one unit of the law in units of the model
+  const rc_law* _law;
 };

@@ -87,7 +87,7 @@ std::int32_t product_of(const double* x, double* y, std::int64_t n, void* diagon
   return 0;
 }
 
-// What an earlier result left in a struct.
+// Values that an earlier result left in a struct.
 void spoil(rc_result& r) {
   r.seconds = r.setup_seconds = -5;
   r.levels = -5;

@@ -1,4 +1,4 @@
-// What tests ask of the system beyond the standard library; one folder for each system has it.
+// Functions of the system that tests need beyond the standard library; one folder for each system has them.
 #pragma once
 
 #include <cstddef>

@@ -25,7 +25,7 @@ struct HostFaults {
 
 HostFaults& host_faults();
 
-// What callers have on the device lies so far above the host's memory that they cannot take the one for the other.
+// Addresses of the device begin here: far above the host's memory, so that no caller takes one for the other.
 constexpr std::uintptr_t device_addresses = std::uintptr_t{1} << 62;
 
 }  // namespace rc_cuda

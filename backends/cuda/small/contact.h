@@ -219,7 +219,7 @@ template <class R> class SmallContact {
   double mean_height_ = 0, unit_ = 1, cap_ = infinite;  // of the pressures at hand
 };
 
-// What Device::blocks runs.
+// The kernel of Device::blocks.
 template <class R> struct SmallContacts {
   Common common;
   RC_ANYWHERE void operator()(Block& block, Index number, unsigned char* fastest) const {

@@ -62,7 +62,7 @@ rc_step pressed_on_device(OnDevice<double>& gap) {
   return step;
 }
 
-// What a solve moves [bytes].
+// Bytes that a solve moves.
 struct Travelled {
   std::int64_t to_device, to_host;
 };

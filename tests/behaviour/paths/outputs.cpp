@@ -62,7 +62,7 @@ rc_batch batch_of(const Problem& problem, const Field& targets, std::int64_t n) 
   return batch;
 }
 
-// What single steps with these options give.
+// The answers of single steps with these options.
 std::vector<rc_result> results_of(const Problem& problem, const Field& targets, const Pair& pair) {
   const Contact contact(problem, pair, {{RC_OPT_STIFFNESS, "2"}});
   std::vector<rc_result> results;

@@ -15,7 +15,7 @@ constexpr std::size_t most_for_sums = 400, most_for_dense = 1500;  // points
 constexpr double round_off = 1e-12;                                // of two ways to multiply by H, relative
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-// What residuals of gaps are relative to.
+// The scale that residuals of gaps are relative to.
 double scale_of(const pairs::Problem& problem, const pairs::Answer& answer, double tol) {
   const double lowest = problem.lowest_gap(), compression = std::max(0.0, answer.result.approach - lowest);
   if (!problem.periodic()) return compression;

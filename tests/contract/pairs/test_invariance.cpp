@@ -1,4 +1,5 @@
-// What must not change an answer, or must change it in a known way. --part NAME [filter] runs one part, [filter] all of them.
+// Changes of a problem that must not change the answer, or must change it in a known way. --part NAME [filter] runs one part,
+// [filter] all of them.
 #include <cstdio>
 #include <cstring>
 

@@ -1,4 +1,4 @@
-// What "auto" makes of components from outside: by what they say that they cost.
+// The choices of "auto" among components from outside, by the costs that they state.
 #include <cmath>
 #include <limits>
 

@@ -1,4 +1,4 @@
-// What ranks must give alike, on ranks that are threads of this process.
+// Arguments that ranks must give alike, on ranks that are threads of this process.
 #include <condition_variable>
 #include <cstring>
 #include <mutex>
