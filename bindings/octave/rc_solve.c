@@ -80,14 +80,15 @@ static int find_option(const char* field, rc_option_spec* spec) {
 }
 
 static rc_status set_target(Request* request, int32_t control, double value) {
-  if (request->step.control) return refuse(request, RC_ERR_ARGUMENT, "give one of opts.approach and opts.load, not both");
+  if (request->step.control)
+    return refuse(request, RC_ERR_ARGUMENT, "give one of opts.approach, opts.load, opts.pressure and opts.area");
   request->step.control = control;
   request->step.target = value;
   return RC_OK;
 }
 
-/* A field of opts: hx, hy, modulus, hardness, approach, load, gradient, dJ_dload, dJ_dapproach, boundary, or an option of the
- * library with '_' for '.'. */
+/* A field of opts: hx, hy, modulus, hardness, approach, load, pressure, area, gradient, dJ_dload, dJ_dapproach, boundary, or an
+ * option of the library with '_' for '.'. */
 static rc_status set_number(Request* request, const char* field, double value) {
   if (!strcmp(field, "hx")) return request->system.hx = value, RC_OK;
   if (!strcmp(field, "hy")) return request->system.hy = value, RC_OK;
@@ -98,6 +99,8 @@ static rc_status set_number(Request* request, const char* field, double value) {
   if (!strcmp(field, "dJ_dload")) return request->gradient.dJ_dload = value, RC_OK;
   if (!strcmp(field, "dJ_dapproach")) return request->gradient.dJ_dapproach = value, RC_OK;
   if (!strcmp(field, "load")) return set_target(request, RC_CONTROL_LOAD, value);
+  if (!strcmp(field, "pressure")) return set_target(request, RC_CONTROL_PRESSURE, value);
+  if (!strcmp(field, "area")) return set_target(request, RC_CONTROL_AREA, value);
 
   rc_option_spec spec;
   if (!find_option(field, &spec)) return keep_message(request, rc_options_set_real(request->options, field, value));
@@ -121,7 +124,8 @@ static rc_status set_text(Request* request, const char* field, const char* value
 
 /* heights and p0 (may be NULL) have nx*ny values, as has p; gap may be NULL. */
 static rc_status solve(Request* request, const double* heights, const double* p0, double* p, double* gap, rc_result* result) {
-  if (!request->step.control) return refuse(request, RC_ERR_ARGUMENT, "give opts.approach or opts.load");
+  if (!request->step.control)
+    return refuse(request, RC_ERR_ARGUMENT, "give opts.approach, opts.load, opts.pressure or opts.area");
   if (!request->system.boundary)
     return refuse(
         request, RC_ERR_ARGUMENT,
@@ -131,6 +135,7 @@ static rc_status solve(Request* request, const double* heights, const double* p0
   double* undeformed_gap = mxMalloc(n * sizeof *undeformed_gap + 1);
   rc_status status = rc_gap_from_heights((int64_t)n, heights, request->mask, undeformed_gap);
   if (status != RC_OK) return keep_message(request, status);
+  if (request->step.control == RC_CONTROL_AREA) request->step.target *= (double)n * request->system.hx * request->system.hy;
   request->step.undeformed_gap.data = undeformed_gap;
   request->step.mask.data = request->mask;
   request->step.p0.data = p0;

@@ -37,6 +37,7 @@ def batch(
     approach: Optional[ArrayLike] = None,
     load: Optional[ArrayLike] = None,
     pressure: Optional[ArrayLike] = None,
+    area: Optional[ArrayLike] = None,
     undeformed_gap: Optional[ArrayLike] = None,
     mask: Optional[ArrayLike] = None,
     missing: str = "reject",
@@ -67,7 +68,7 @@ def batch(
 
     heights or undeformed_gap: [contacts, ny, nx], a sequence of `Surface`, or one [ny, nx] for all of them; of heights
         each surface's highest point touches at approach 0 [length]
-    approach, load or pressure: [contacts, steps], or one history [steps] for all of them, or one number
+    approach, load, pressure or area: [contacts, steps], or one history [steps] for all of them, or one number
     mask: [contacts, ny, nx] or [ny, nx], 0 where a point carries no pressure
     start: [contacts, ny, nx] pressures to begin with [force/length^2]
     virgin: as in `history`
@@ -85,7 +86,7 @@ def batch(
     """
     modulus, options = modulus_of(modulus, E, nu), options_of(batch, options, keywords, context)
     system, gaps, masks = _surfaces(heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit, hardness)
-    what = prescribed(system, approach=in_metres(approach, unit), load=load, pressure=pressure)
+    what = prescribed(system, approach=in_metres(approach, unit), load=load, pressure=pressure, area=area)
     targets = np.atleast_1d(as_doubles(what.targets, what.name))
     if targets.ndim > 2:
         raise ShapeError(f"{what.name} has {targets.ndim} axes: [contacts, steps], [steps] or one number")

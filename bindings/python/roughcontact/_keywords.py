@@ -1,4 +1,4 @@
-"""What several functions take: options by their names, and one of approach, load and mean pressure."""
+"""What several functions take: options by their names, and one of approach, load, mean pressure and contact area."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def options_of(
 
 @dataclass(frozen=True)
 class Prescribed:
-    """What presses: name: "approach", "load" or "pressure"; given: its values; control, targets: the same as C has it."""
+    """What presses: name: "approach", "load", "pressure" or "area"; given: its values; control, targets: the same as C has it."""
 
     name: str
     given: Any
@@ -77,19 +77,20 @@ class Prescribed:
 
 
 def prescribed(system: System, **ways: Optional[ArrayLike]) -> Prescribed:
-    """The one that is given of approach, load and pressure, which is a mean one, over the whole grid."""
+    """The one that is given of approach, load, mean pressure and contact area, which is a share of the grid's."""
     refuse_text(**ways)
     found = [name for name, value in ways.items() if value is not None]
     if len(found) != 1:
         which = f"{' and '.join(found)} are {'both' if len(found) == 2 else 'all'} given" if found else "nothing presses"
         raise ArgumentError(f"{which}: one of {', '.join(ways)} is needed")
     name, given = found[0], ways[found[0]]
-    if name == "approach":
-        return Prescribed(name, given, _constants.RC_CONTROL_APPROACH, given)
-    if name == "pressure":
-        area = float(np.prod(system.shape)) * system.pitch[0] * system.pitch[1]
-        return Prescribed(name, given, _constants.RC_CONTROL_LOAD, np.asarray(given, float) * area)
-    return Prescribed(name, given, _constants.RC_CONTROL_LOAD, given)
+    targets = given
+    if name == "area":
+        shares = np.asarray(given, float)
+        if np.any(shares > 1):
+            raise ArgumentError(f"area is {float(np.max(shares)):g}: a share of the grid's area is needed, 0.05 for 5 %")
+        targets = shares * (float(np.prod(system.shape)) * system.pitch[0] * system.pitch[1])
+    return Prescribed(name, given, getattr(_constants, f"RC_CONTROL_{name.upper()}"), targets)
 
 
 def in_metres(lengths: Optional[ArrayLike], unit: Optional[str]) -> Any:

@@ -90,6 +90,7 @@ def solve(
     approach: Optional[float] = None,
     load: Optional[float] = None,
     pressure: Optional[float] = None,
+    area: Optional[float] = None,
     undeformed_gap: Optional[ArrayLike] = None,
     mask: Optional[ArrayLike] = None,
     missing: str = "reject",
@@ -114,13 +115,14 @@ def solve(
     context: Optional[Context] = None,
     **keywords: Any,
 ) -> Result:
-    """Presses a surface into an elastic half-space. One of approach, load and pressure is prescribed.
+    """Presses a surface into an elastic half-space. One of approach, load, pressure and area is prescribed.
 
     heights: a `Surface`, a file (see `read`), a topography of SurfaceTopography, or an array [ny, nx]; the highest point
         touches at approach 0 [length]
     approach: approach of the bodies [length]
     load: normal force [force]
     pressure: load over the area of the grid [force/length^2]
+    area: contact area as a share of the grid's; the load is searched
     undeformed_gap: the undeformed gap [ny, nx] instead of heights [length]; also an array on a device, see `Contact.solve`
     mask: [ny, nx], 0 at points that carry no pressure and whose heights are ignored. None: all points may carry pressure
     missing: rule for masked or NaN heights: "reject", "exclude" (they carry no pressure) or "fill" (interpolated)
@@ -158,6 +160,7 @@ def solve(
             approach=in_metres(approach, unit),
             load=load,
             pressure=pressure,
+            area=area,
             undeformed_gap=undeformed_gap,
             mask=mask,
             start=start,
@@ -176,6 +179,7 @@ def history(
     approach: Optional[ArrayLike] = None,
     load: Optional[ArrayLike] = None,
     pressure: Optional[ArrayLike] = None,
+    area: Optional[ArrayLike] = None,
     undeformed_gap: Optional[ArrayLike] = None,
     mask: Optional[ArrayLike] = None,
     missing: str = "reject",
@@ -205,7 +209,7 @@ def history(
 ) -> HistoryResult:
     """Solves the steps of a loading history in order, each from the pressures of the one before.
 
-    approach, load or pressure: one value for each step, in any order
+    approach, load, pressure or area: one value for each step, in any order
     virgin: with a hardness: whether every step presses the surface without the plastic indentation of the steps before
             it
     stiffness: whether to compute dW/dd
@@ -221,7 +225,7 @@ def history(
     system, found_gap, mask, body = system_for(
         heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit, hardness, against, shape, remove
     )
-    what = prescribed(system, approach=in_metres(approach, unit), load=load, pressure=pressure)
+    what = prescribed(system, approach=in_metres(approach, unit), load=load, pressure=pressure, area=area)
     with Contact(system, options=options, progress=progress, every=every, context=context) as contact:
         answer = history_on(contact, what, found_gap, mask, warm_start, virgin, stiffness, keep_pressure, want_gap, each, check)
     return replace(answer, results=tuple(_remarked(result, body) for result in answer.results))

@@ -39,6 +39,14 @@ by_load = rmfield (opts, "approach");
 by_load.load = info.load;
 [~, back] = rc_solve (z, by_load);
 check ("the load gives the approach", abs (back.approach - 0.4) < 1e-6);
+by_area = rmfield (opts, "approach");
+by_area.area = 0.1;
+[~, back] = rc_solve (z, by_area);
+check ("an area as a share", abs (back.area_fraction - 0.1) <= 0.51 / (nx * ny));
+by_pressure = rmfield (opts, "approach");
+by_pressure.pressure = info.mean_pressure;
+[~, back] = rc_solve (z, by_pressure);
+check ("the mean pressure gives the load", abs (back.load / info.load - 1) < 1e-9);
 
 % x is the first index
 turned = opts; turned.hx = opts.hy; turned.hy = opts.hx;
@@ -81,9 +89,9 @@ check (["not an integer: ", e.message], strcmp (e.identifier, "roughcontact:RC_E
 e = refused (z, setfield (opts, "tol", "much"));
 check (["a text for a number: ", e.message], strcmp (e.identifier, "roughcontact:RC_ERR_OPTION"));
 e = refused (z, setfield (opts, "load", 1));
-check (e.message, strcmp (e.identifier, "roughcontact:RC_ERR_ARGUMENT") && any (strfind (e.message, "not both")));
+check (e.message, strcmp (e.identifier, "roughcontact:RC_ERR_ARGUMENT") && any (strfind (e.message, "give one of opts.approach")));
 e = refused (z, struct ("hx", 1));
-check (e.message, any (strfind (e.message, "approach or opts.load")));
+check (e.message, any (strfind (e.message, "opts.pressure or opts.area")));
 e = refused (z, rmfield (opts, "hy"));
 check (e.message, strcmp (e.identifier, "roughcontact:RC_ERR_ARGUMENT") && any (strfind (e.message, "hy = 0")));
 e = refused (z, setfield (opts, "hx", -1));

@@ -162,7 +162,7 @@ def test_two_or_no_surfaces_are_refused(sphere_gap):
     for given in ({}, {"heights": -sphere_gap, "undeformed_gap": sphere_gap}):
         with pytest.raises(rc.ArgumentError, match="given: one of heights, undeformed_gap is needed"):
             rc.solve(**given, pitch=PITCH, modulus=MODULUS, boundary="free", approach=3e-7)
-    with pytest.raises(rc.ArgumentError, match="nothing presses: one of approach, load, pressure is needed"):
+    with pytest.raises(rc.ArgumentError, match="nothing presses: one of approach, load, pressure, area is needed"):
         rc.solve(undeformed_gap=sphere_gap, pitch=PITCH, modulus=MODULUS, boundary="free")
     refused(rc.ArgumentError, "pitch is missing", rc.solve, -sphere_gap, modulus=MODULUS, load=1)
     refused(rc.ArgumentError, "modulus is missing", rc.solve, -sphere_gap, pitch=PITCH, load=1)
