@@ -57,8 +57,9 @@ constexpr Key header_keys[] = {
     {"|unit x|", Role::other, nullptr, nullptr, &TextHeader::x_unit},
     {"|unit|units|einheit|length unit|length units|unit of length|l\xc3\xa4ngeneinheit|l\xe4ngeneinheit|", Role::other, nullptr,
      nullptr, &TextHeader::all_unit},
-    {"|x-pixels|nx|w|ncols|cols|columns|xres|spalten|", Role::columns},
-    {"|y-pixels|ny|h|nrows|rows|lines|yres|zeilen|", Role::rows},
+    {"|scan size|", Role::width, &TextHeader::scan, nullptr, &TextHeader::width_unit},
+    {"|x-pixels|nx|w|ncols|cols|columns|xres|spalten|samps/line|samples/line|", Role::columns},
+    {"|y-pixels|ny|h|nrows|rows|lines|number of lines|yres|zeilen|", Role::rows},
     {"|resolution|size|shape|pixels|points|", Role::size},
     {"|pixel size|cellsize|", Role::other, &TextHeader::pixel_x, &TextHeader::pixel_y, &TextHeader::x_unit, &TextHeader::y_unit},
     {"|scale x|", Role::other, &TextHeader::pixel_x},
@@ -304,7 +305,7 @@ std::vector<std::size_t> TextHeader::points() const {
   return places;
 }
 
-bool TextHeader::of_matrix() const { return columns || rows || size || width || height || pixel_x || pixel_y || metres; }
+bool TextHeader::of_matrix() const { return columns || rows || size || width || scan || height || pixel_x || pixel_y || metres; }
 
 void TextHeader::apply(const BareUnit& unit, Surface& surface) const {
   const bool other = (columns && *columns != surface.nx) || (rows && *rows != surface.ny);
@@ -329,6 +330,13 @@ void TextHeader::apply(const BareUnit& unit, Surface& surface) const {
   if (pixel_x) surface.hx = lateral(*pixel_x, {}, x_unit, "x", 1);
   if (pixel_y) surface.hy = lateral(*pixel_y, {}, along_y, "y", 1);
   if (width) surface.hx = lateral(*width, width_unit, x_unit, "x", nx);
+  if (scan && !surface.hx) {
+    surface.hx = lateral(*scan, width_unit, x_unit, "x", nx);
+    if (!pixel_y && !height) {
+      surface.hy = surface.hx;
+      surface.add_note("the scan size is that of a line; points have the same pitch along y");
+    }
+  }
   if (height) surface.hy = lateral(*height, height_unit, height_unit.empty() ? along_y : y_unit, "y", ny);
 
   std::string_view common;

@@ -21,6 +21,7 @@ struct TextHeader {
   std::optional<std::int64_t> columns, rows;
   std::optional<std::pair<std::int64_t, std::int64_t>> size;  // "512 x 256", of which the first may be the rows
   std::optional<double> width, height;                        // of the whole field
+  std::optional<double> scan;                                 // of a line of square points
   std::optional<double> pixel_x, pixel_y;                     // pitch
   std::string_view width_unit, height_unit, x_unit, y_unit, z_unit;
   std::string_view all_unit;         // of all lengths

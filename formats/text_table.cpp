@@ -92,16 +92,17 @@ class TableReader {
       }
       return;
     }
-    if (!is_row && numbers == 0) {  // words that may end the file
+    if (!is_row) {  // words that end the file, or what is before the numbers
       if (words_after_.empty()) words_after_ = not_a_row(fields);
+      if (numbers > 0 && damaged_.empty()) damaged_ = not_a_row(fields);
       TextHeader after;
       if (!after.read_line(line)) after.read_words(line);
       if (unit_after_.empty() && after.names_unit()) unit_after_ = line;
+      after_rows_.push_back(line);
       return;
     }
-    if (!is_row) throw Error(not_a_row(fields));
-    if (!words_after_.empty()) throw Error(words_after_);
-    if (!suspect_.empty() && suspect_fields_ == fields.size() - (is_empty(fields.back()) ? 1 : 0)) throw Error(suspect_);
+    if (!words_after_.empty()) drop_preamble(std::ssize(fields));
+    if (!suspect_.empty() && suspect_fields_ == fields.size() - (is_empty(fields.back()) ? 1 : 0)) damaged_ = suspect_;
     suspect_.clear();
 
     table_.values.insert(table_.values.end(), values.begin(), values.end());
@@ -110,6 +111,20 @@ class TableReader {
     rows_.push_back({std::ssize(fields), line_, between == '\t' && is_empty(fields.front()),
                      fields.size() > 1 && is_empty(fields.back()), numbers == 0, after_blank_});
     after_blank_ = false;
+  }
+
+  // The rows so far are lines of numbers in what is before the table, "12.5, 3", if words part them from rows of another length.
+  void drop_preamble(std::int64_t fields) {
+    const auto alike = [fields](const Row& row) { return row.fields == fields || (row.ends_empty && row.fields == fields + 1); };
+    if (points_ || std::ranges::any_of(rows_, alike)) throw Error(damaged_.empty() ? words_after_ : damaged_);
+    dropped_ += std::ssize(rows_);
+    rows_.clear();
+    table_.values.clear();
+    table_.comma_pairs = true;
+    for (const std::string_view line : after_rows_)
+      if (!table_.header.read_line(line)) table_.header.read_words(line);
+    after_rows_.clear();
+    for (std::string* const text : {&words_after_, &damaged_, &unit_after_}) text->clear();
   }
 
   // A line of dashes or asterisks between words and numbers.
@@ -136,11 +151,18 @@ class TableReader {
 
   // Drops separators at the ends of all rows, empty rows at the end, and checks that all have as many fields.
   void settle() {
+    if (!damaged_.empty()) throw Error(damaged_);
     const auto given = std::ssize(rows_);
+    if (dropped_ >= given)
+      throw Error("words part ", dropped_, " rows of numbers from ", given, " of another length: give a file with one table");
     std::int64_t end = given;
     while (end > 1 && rows_[static_cast<std::size_t>(end - 1)].all_empty) --end;
     if (end < given) table_.note = join(given - end, " rows at the end, whose fields are all empty, are not read");
-    if (!words_after_.empty()) table_.note += join(table_.note.empty() ? "" : "; ", "words after the numbers are not read");
+    const auto add = [this](const std::string& text) { table_.note += (table_.note.empty() ? "" : "; ") + text; };
+    if (!words_after_.empty()) add("words after the numbers are not read");
+    if (dropped_ > 0)
+      add(join(dropped_, dropped_ == 1 ? " line of numbers before the table is" : " lines of numbers before the table are",
+               " not read"));
     rows_.resize(static_cast<std::size_t>(end));
 
     const bool indented = std::ranges::all_of(rows_, &Row::begins_empty);
@@ -178,7 +200,10 @@ class TableReader {
   char separator_ = ' ';
   bool after_blank_ = false;
   std::string suspect_, words_after_;  // what is wrong with the last line before the rows that has numbers; with one after them
-  std::string unit_after_;             // the first line after the rows that names a unit
+  std::string damaged_;                // with one after them that has numbers
+  std::vector<std::string_view> after_rows_;
+  std::int64_t dropped_ = 0;  // rows of the preamble
+  std::string unit_after_;    // the first line after the rows that names a unit
   std::size_t suspect_fields_ = 0;
 };
 

@@ -96,14 +96,17 @@ static char* remarks_of(const Request* request) {
 /* p0 (may be NULL) has nx*ny values, as has p; gap may be NULL. */
 static rc_status solve(Request* request, const double* p0, double* p, double* gap, rc_result* result) {
   const rc_system* system = &request->view.system;
-  const bool by_approach = !strcmp(request->view.loading, "approach"), by_pressure = !strcmp(request->view.loading, "pressure");
+  const char* const loading = request->view.loading;
   const int64_t n = system->nx * system->ny;
   double* undeformed_gap = mxMalloc((size_t)n * sizeof *undeformed_gap + 1);
   rc_status status = rc_gap_from_heights(n, request->view.heights, request->view.mask, undeformed_gap);
   if (status != RC_OK) return keep_message(request, status);
   rc_step step = RC_STEP_INIT;
-  step.control = by_approach ? RC_CONTROL_APPROACH : RC_CONTROL_LOAD;
-  step.target = request->view.targets[0] * (by_pressure ? (double)n * system->hx * system->hy : 1);
+  step.control = !strcmp(loading, "approach")   ? RC_CONTROL_APPROACH
+                 : !strcmp(loading, "load")     ? RC_CONTROL_LOAD
+                 : !strcmp(loading, "pressure") ? RC_CONTROL_PRESSURE
+                                                : RC_CONTROL_AREA;
+  step.target = request->view.targets[0] * (step.control == RC_CONTROL_AREA ? (double)n * system->hx * system->hy : 1);
   step.undeformed_gap.data = undeformed_gap;
   step.mask.data = request->view.mask;
   step.p0.data = p0;

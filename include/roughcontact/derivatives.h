@@ -40,7 +40,7 @@ typedef struct rc_gradient {
   double dJ_dload;       /* by the load hx hy sum(p)                                                                 */
   double dJ_dapproach;   /* by the approach                                                                          */
   double *dJ_dundeformed_gap; /* out [n]; NULL: not wanted                                                           */
-  double dJ_dtarget;     /* out: by the approach in approach control, by the load in load control                */
+  double dJ_dtarget;     /* out: by the approach in approach control, else by the load                           */
   double dJ_dmodulus;    /* out; NaN where the system has no modulus                                                 */
   double error;          /* out: the Euclidean norm of the error that the solves leave in dJ_dundeformed_gap is at
                             most this; NaN where no bound of H's eigenvalues is known. The step's own tolerance is

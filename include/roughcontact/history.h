@@ -39,7 +39,7 @@ typedef struct rc_history {
   int32_t warm_start;   /* 1: each step starts from the pressures of the one before, projected onto the points
                            that the new approach can reach (default); 0: each step starts cold                       */
   int64_t n;            /* steps                                                                                     */
-  const double *targets; /* approaches [length] or loads [force]                                                     */
+  const double *targets; /* of the control, as rc_step.target                                                        */
   const double *undeformed_gap; /* as rc_step.undeformed_gap, for all steps                                          */
   const uint8_t *mask;  /* as rc_step.mask                                                                           */
   rc_history_fn fn;     /* sees each completed step's result with pressures and gap; NULL: none                      */
@@ -112,7 +112,7 @@ typedef struct rc_batch {
   int32_t warm_start;   /* as in rc_history, from a contact's second step on                                            */
   int64_t n;            /* contacts                                                                                  */
   int64_t steps;        /* of each history                                                                           */
-  const double *targets; /* approaches [length] or loads [force]; step k of contact i at i*target_stride + k         */
+  const double *targets; /* of the control, as rc_step.target; step k of contact i at i*target_stride + k            */
   int64_t target_stride; /* 0: steps; RC_BATCH_SHARED; else >= steps                                                 */
   const double *undeformed_gap; /* as rc_step.undeformed_gap; point m of contact i at i*undeformed_gap_stride + m    */
   int64_t undeformed_gap_stride; /* 0: nx*ny; RC_BATCH_SHARED; else >= nx*ny                                         */
@@ -139,7 +139,7 @@ typedef struct rc_batch {
 /** Solves the history of every contact, each as by an rc_contact of its own and rc_contact_solve_history: the same bits, whatever
  *  the number of threads. A solver that takes many contacts at once ("haar-cuda") gives other bits than contacts of their own,
  *  with the same certificate; they do not depend on the number of threads and contacts either. It is used if fn and the columns
- *  from mean_gap to stiffness_upper are NULL and virgin is 0.
+ *  from mean_gap to stiffness_upper are NULL, virgin is 0 and control is not RC_CONTROL_AREA.
  *  Option threads: contacts that are solved at the same time, each by one thread; fewer if the system refuses threads.
  *  Option time_limit: seconds for the whole batch. options may be NULL. A CALLBACK system's apply is called from several threads
  *  at the same time. All threads have ended when the call returns.

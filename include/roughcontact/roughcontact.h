@@ -182,7 +182,7 @@ typedef struct rc_const_array {
 /** @defgroup problem Problem: system and step  @{ */
 enum { RC_OPERATOR_HALFSPACE = 1, RC_OPERATOR_DENSE = 2, RC_OPERATOR_CALLBACK = 3 };
 enum { RC_BOUNDARY_FREE = 1, RC_BOUNDARY_PERIODIC = 2, RC_BOUNDARY_PERIODIC_X = 3, RC_BOUNDARY_PERIODIC_Y = 4 };
-enum { RC_CONTROL_APPROACH = 1, RC_CONTROL_LOAD = 2 };
+enum { RC_CONTROL_APPROACH = 1, RC_CONTROL_LOAD = 2, RC_CONTROL_AREA = 4, RC_CONTROL_PRESSURE = 8 };
 
 /** The bodies and the grid, fixed over a loading history. Copied; `dense` and `user` must outlive the contact. */
 typedef struct rc_system {
@@ -214,7 +214,11 @@ typedef struct rc_step {
   int32_t control;     /* RC_CONTROL_*                                                                               */
   int32_t warm_start;  /* 1: start from this contact's last pressures (default); 0: start cold (factors that a
                           backend keeps still serve: equal to round-off, after rc_contact_reset bitwise)             */
-  double target;       /* APPROACH: approach d [length]; LOAD: normal force W [force], >= 0                          */
+  double target;       /* APPROACH: approach d [length]; LOAD: normal force W [force], >= 0; PRESSURE: mean pressure
+                          W/(n hx hy) [force/length^2], >= 0; AREA: contact area [length^2], 0 .. n hx hy: loads are tried
+                          until rc_result.contact_area is within 1e-3 of it or half a cell. If no load gives it, the answer
+                          has the nearest area, and rc_result.note says so. Limits and counts of work are those of all loads
+                          together; only the load found is remembered, and leaves an indentation. Not for rc_contact_certify */
 
   /* Arrays of the caller */
   rc_const_array undeformed_gap; /* [n] h [length], see rc_gap_from_heights; none: as in the previous step           */

@@ -21,10 +21,7 @@ constexpr double least_depth = 1e-30;  // over the gap's range; periodic solvers
 void check(const Step& step, const GridProblem& problem, const StepSurface& surface) {
   const System& system = problem.system;
   const double target = step.target.value;
-  const bool by_load = step.target.by_load(), by_approach = step.target.control == RC_CONTROL_APPROACH;
-  if (!by_load && !by_approach)
-    fail(RC_ERR_ARGUMENT, "rc_step.control = ", step.target.control,
-         " is neither RC_CONTROL_APPROACH (1) nor RC_CONTROL_LOAD (2)");
+  const bool by_load = step.target.by_load(), by_approach = !by_load;
   if (!std::isfinite(target)) fail(RC_ERR_ARGUMENT, "rc_step.target = ", target, " is not finite");
   if (by_load && target < 0)
     fail(RC_ERR_INFEASIBLE, "load = ", target, " is negative; a contact without adhesion cannot pull, the smallest load is 0");

@@ -11,8 +11,8 @@ class GridProblem;
 class StepSurface;
 
 struct Target {
-  std::int32_t control = RC_CONTROL_APPROACH;
-  double value = 0;  // approach [length] or load [force]
+  std::int32_t control = RC_CONTROL_APPROACH;  // or RC_CONTROL_LOAD
+  double value = 0;                            // approach [length] or load [force]
 
   bool by_load() const { return control == RC_CONTROL_LOAD; }
   bool touches(const StepSurface& surface) const;

@@ -42,6 +42,8 @@ class Run {
       every_ = *given;
     }
     row_ = read_problem(ranks, arguments_);
+    if (every_ > 0 && row_.problem.control == "area")
+      throw Error("give --checkpoint without --area: a search for a load begins anew after an interruption");
     fields_ = Fields{row_.gap.size(), row_.problem.system.hardness > 0};
     make_contact();
     if (arguments_.out) open_folder();
@@ -120,7 +122,7 @@ class Run {
   }
 
   void solve_step(std::size_t number) {
-    StepRecord step{static_cast<int>(number), RC_RESULT_INIT, RC_ACCURACY_INIT, {}, {}, {}};
+    StepRecord step{static_cast<int>(number), RC_RESULT_INIT, RC_ACCURACY_INIT, {}, {}};
     std::int64_t iterations = begun_, products = 0;
     double seconds = 0, setup = 0;
     begun_ = 0;

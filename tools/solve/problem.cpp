@@ -26,10 +26,14 @@ std::string name_of_boundary(std::int32_t boundary) {
   return std::string(names_in(find_word("boundary")->choices)[static_cast<std::size_t>(boundary - RC_BOUNDARY_FREE)]);
 }
 
-int32_t Problem::step_control() const { return control == "approach" ? RC_CONTROL_APPROACH : RC_CONTROL_LOAD; }
+int32_t Problem::step_control() const {
+  if (control == "approach") return RC_CONTROL_APPROACH;
+  if (control == "load") return RC_CONTROL_LOAD;
+  return control == "area" ? RC_CONTROL_AREA : RC_CONTROL_PRESSURE;
+}
 
 double Problem::step_target(std::size_t step) const {
-  if (control != "pressure") return targets[step];
+  if (control != "area") return targets[step];
   return targets[step] * static_cast<double>(system.nx) * static_cast<double>(system.ny) * system.hx * system.hy;
 }
 

@@ -33,7 +33,7 @@ struct Problem {
   std::vector<double> targets;                               // of the control; lengths in metres, areas as shares
   std::vector<std::pair<std::string, std::string>> options;  // of the library, later ones win
 
-  // The control and target for the library, which has no control by mean pressure: it becomes a load.
+  // The control and target for the library, which has areas where the command has shares.
   int32_t step_control() const;
   double step_target(std::size_t step) const;
 };

@@ -46,9 +46,8 @@ std::string remarks(const Problem& problem, const StepRecord& step) {
   constexpr std::string_view doubt = "level them";
   std::string text = step.result.note;
   if (const auto place = text.find(doubt); place != std::string::npos) text.insert(place + doubt.size(), " with --remove plane");
-  for (const std::string& own : {step.remark, small_map(problem, step.result)})
-    if (!own.empty()) text += (text.empty() ? "" : "; ") + own;
-  return text;
+  const std::string own = small_map(problem, step.result);
+  return text + (text.empty() || own.empty() ? "" : "; ") + own;
 }
 
 void report_choice(rc_contact* contact) {

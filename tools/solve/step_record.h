@@ -16,7 +16,6 @@ struct StepRecord {
   rc_accuracy accuracy;
   ContactMeasures measures;
   std::string message;  // why the step is not certified; "" if it is
-  std::string remark;   // the command's own, besides the library's; "" if there is none
 
   bool good() const { return result.status == RC_OK || result.status == RC_WITHIN_GOAL; }
   double worst_residual() const {

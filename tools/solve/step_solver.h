@@ -1,5 +1,4 @@
-// Solves the steps of a history: at the prescribed approach, load or mean pressure, or at the load that gives the prescribed
-// area.
+// Solves the steps of a history.
 #pragma once
 
 #include <string>
@@ -23,24 +22,16 @@ class StepSolver {
   StepSolver(rc_contact* contact, const Problem& problem);
 
   // Goes on after a step of an earlier run. certified: the last two, newest first.
-  void restore(std::vector<CertifiedStep> certified, std::vector<double> indentation);
+  void restore(const std::vector<CertifiedStep>& certified, const std::vector<double>& indentation);
 
   // Steps count from 1. The fields get what the step has found.
   StepRecord solve(int number, Fields& fields);
 
  private:
-  StepRecord press(int number, int32_t control, double target, Fields& fields);
-  StepRecord find_area(int number, Fields& fields);
-  void restore_contact();
-  double first_load(double share) const;
-
   rc_contact* contact_;
   const Problem& problem_;
   std::vector<double> gap_;
   bool gap_given_ = false;
-  // If areas are prescribed: the state before the step, from which its search begins.
-  std::vector<CertifiedStep> certified_;
-  std::vector<double> indentation_;
 };
 
 }  // namespace cli

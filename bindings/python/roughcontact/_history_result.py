@@ -21,7 +21,7 @@ class HistoryResult(Answer):
     """Answers of a loading history: a sequence of one `Result` for each completed step. All columns of its tables are arrays with
     one value for each of these steps, such as history.load, history.area_fraction and history.contact_crosses.
 
-    prescribed: "approach", "load" or "pressure"
+    prescribed: "approach", "load", "pressure" or "area"
     targets: its values as given, those of steps that were not completed as well
     results: of the steps, without maps
     pressure: [steps, ny, nx] [force/length^2]; None unless asked for
@@ -97,7 +97,7 @@ class HistoryResult(Answer):
     def _columns(self) -> Dict[str, Any]:
         rows = [each._columns() for each in self.results]
         found = {name: np.array([row[name] for row in rows]) for name in (rows[0] if rows else STEP_COLUMNS)}
-        return {self.prescribed: self.targets[: self.completed], **found} if self.prescribed == "pressure" else found
+        return {self.prescribed: self.targets[: self.completed], **found} if self.prescribed in ("pressure", "area") else found
 
     def _rows(self) -> Dict[str, str]:
         ends = {"load": self.load, "approach": self.approach, "contact area": self.contact_area}

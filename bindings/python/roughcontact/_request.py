@@ -34,7 +34,12 @@ from ._structs import rc_given, rc_map, rc_problem_view, rc_remark, rc_request_s
 from ._units import AssumedUnit, warn
 from .system import REPEATS, AssumedBoundary, HalfSpace, System
 
-CONTROLS = {"approach": _constants.RC_CONTROL_APPROACH}
+CONTROLS = {
+    "approach": _constants.RC_CONTROL_APPROACH,
+    "load": _constants.RC_CONTROL_LOAD,
+    "pressure": _constants.RC_CONTROL_PRESSURE,
+    "area": _constants.RC_CONTROL_AREA,
+}
 WARNINGS = {_constants.RC_REMARK_BOUNDARY: AssumedBoundary, _constants.RC_REMARK_UNIT: AssumedUnit}
 
 
@@ -199,7 +204,7 @@ class Request:
 
 @dataclass(frozen=True)
 class Prescribed:
-    """What presses: name: "approach", "load" or "pressure"; given: its values; control, targets: the same as C has it."""
+    """What presses: name: "approach", "load", "pressure" or "area", a share; given: its values; control, targets: the same as C has it."""
 
     name: str
     given: Doubles
@@ -217,14 +222,14 @@ class Prescribed:
 
 
 def _prescribed(name: str, values: Doubles, system: System) -> Prescribed:
-    if name != "pressure":
-        return Prescribed(name, values, CONTROLS.get(name, _constants.RC_CONTROL_LOAD), values)
-    area = float(np.prod(system.shape)) * system.pitch[0] * system.pitch[1]
-    return Prescribed(name, values, _constants.RC_CONTROL_LOAD, values * area)
+    if name == "area" and np.any(values > 1):
+        raise ArgumentError(f"area: {float(np.max(values)):g} is more than the whole, give a share as 10% or 0.1")
+    whole = float(np.prod(system.shape)) * system.pitch[0] * system.pitch[1] if name == "area" else 1.0
+    return Prescribed(name, values, CONTROLS[name], values * whole)
 
 
 def prescribed(system: System, **ways: Any) -> Prescribed:
-    """The one that is given of approach, load and pressure, which is a mean one, over the whole grid."""
+    """The one that is given of approach, load, mean pressure over the whole grid, and area."""
     found = {name: value for name, value in ways.items() if value is not None}
     if len(found) == 1:
         ((name, value),) = found.items()
@@ -255,7 +260,7 @@ class Pressed:
 
     def needed(self) -> Prescribed:
         if self.loading is None:
-            raise ArgumentError("nothing presses: one of approach, load, pressure is needed")
+            raise ArgumentError("nothing presses: one of approach, load, pressure, area is needed")
         return self.loading
 
     def remarked(self, result: Any) -> Any:

@@ -21,6 +21,7 @@ HELP = {
     "approach": ("TARGETS", "Approach from first touch of the highest point"),
     "load": ("TARGETS", "Normal force"),
     "pressure": ("TARGETS", "Mean pressure over the whole surface; of a law the range LOWER..UPPER"),
+    "area": ("TARGETS", "Contact area, such as 10%; the load is searched"),
     "boundary": (
         "NAME",
         "periodic: the map is a sample of a larger surface; free: the body ends at its edges; periodic-x, periodic-y: "

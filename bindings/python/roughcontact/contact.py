@@ -94,6 +94,7 @@ class Contact(Handle):
         approach: Optional[float] = None,
         load: Optional[float] = None,
         pressure: Optional[float] = None,
+        area: Optional[float] = None,
         undeformed_gap: Optional[ArrayLike] = None,
         mask: Optional[ArrayLike] = None,
         missing: str = "reject",
@@ -111,7 +112,8 @@ class Contact(Handle):
             [length]
         undeformed_gap: the undeformed gap instead [length]. Neither: as in the previous step. An array of CuPy, PyTorch or JAX on a
             CUDA device, float64 or float32, is read there, and the result's arrays are of the same kind on that device
-        approach: approach of the bodies [length], load: normal force [force], or pressure: load over the area of the grid
+        approach: approach of the bodies [length], load: normal force [force], pressure: load over the area of the grid, or area:
+            contact area as a share of the grid's
         mask: of the system's shape, 0 where a point carries no pressure; its gap may then be NaN
         missing: rule for masked or NaN heights: "reject", "exclude" or "fill"
         start: pressures to begin with [force/length^2]
@@ -123,7 +125,7 @@ class Contact(Handle):
         check: whether a stop before the tolerance raises `NotCertifiedError`, which has the result; otherwise look at its
             status. Status.WITHIN_GOAL never raises
         """
-        what = prescribed(self.system, approach=approach, load=load, pressure=pressure)
+        what = prescribed(self.system, approach=approach, load=load, pressure=pressure, area=area)
         gap_array, mask_array = gap_and_mask(self.system, heights, undeformed_gap, mask, missing, single, devices=True)
         return self._solve_one(what, gap_array, mask_array, start, warm_start, borrow, want_pressure, want_gap, single, check)
 
@@ -242,6 +244,7 @@ class Contact(Handle):
         approach: Optional[ArrayLike] = None,
         load: Optional[ArrayLike] = None,
         pressure: Optional[ArrayLike] = None,
+        area: Optional[ArrayLike] = None,
         undeformed_gap: Optional[ArrayLike] = None,
         mask: Optional[ArrayLike] = None,
         missing: str = "reject",
@@ -255,10 +258,8 @@ class Contact(Handle):
     ) -> HistoryResult:
         """Solves a loading history; see `roughcontact.history`. Without either, on the surface of the last step."""
         gap_array, mask_array = gap_and_mask(self.system, heights, undeformed_gap, mask, missing)
-        what = prescribed(self.system, approach=approach, load=load, pressure=pressure)
-        return history_on(
-            self, what, gap_array, mask_array, warm_start, virgin, stiffness, keep_pressure, want_gap, each, check
-        )
+        what = prescribed(self.system, approach=approach, load=load, pressure=pressure, area=area)
+        return history_on(self, what, gap_array, mask_array, warm_start, virgin, stiffness, keep_pressure, want_gap, each, check)
 
     def levels(self) -> List[Level]:
         """Coarse solutions of the last step, the coarsest first."""

@@ -152,6 +152,7 @@ class Contact(OwnsHandle):
         approach: Optional[float] = None,
         load: Optional[float] = None,
         pressure: Optional[float] = None,
+        area: Optional[float] = None,
         undeformed_gap: Optional[ArrayLike] = None,
         mask: Optional[ArrayLike] = None,
         start: Optional[ArrayLike] = None,
@@ -165,7 +166,7 @@ class Contact(OwnsHandle):
         """
 
         def prepared() -> Any:
-            what = prescribed(self.system, approach=approach, load=load, pressure=pressure)
+            what = prescribed(self.system, approach=approach, load=load, pressure=pressure, area=area)
             step = self._step(what, undeformed_gap, mask)
             given(step, p0=None if start is None else as_doubles(start, "start", self.shape), warm_start=as_switch(warm_start))
             return step, np.zeros(self.shape) if want_pressure else None

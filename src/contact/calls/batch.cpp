@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "contact/calls/contact.h"
+#include "contact/calls/controls.h"
 #include "contact/calls/many.h"
 #include "contact/calls/many_check.h"
 #include "contact/calls/step_outputs.h"
@@ -39,24 +40,32 @@ std::int64_t resolved_stride(std::int64_t stride, std::int64_t values, std::int6
 
 // The batch with its strides resolved; it makes the steps and writes the outputs.
 struct Request {
-  rc_batch given;
+  rc_batch given, for_many;  // the latter by load if mean pressures are prescribed
   std::int64_t points;
+  std::vector<double> loads;
 
-  Request(const rc_batch& batch, std::int64_t n_points) : given(batch), points(n_points) {
+  Request(const rc_batch& batch, const System& system) : given(batch), points(system.points()) {
     if (given.n < 0) fail(RC_ERR_ARGUMENT, "rc_batch.n = ", given.n, " must be >= 0");
     if (given.steps < 0) fail(RC_ERR_ARGUMENT, "rc_batch.steps = ", given.steps, " must be >= 0");
-    if (given.control != RC_CONTROL_APPROACH && given.control != RC_CONTROL_LOAD)
-      fail(RC_ERR_ARGUMENT, "rc_batch.control = ", given.control, " is neither RC_CONTROL_APPROACH (1) nor RC_CONTROL_LOAD (2)");
+    check_control(given.control, "rc_batch.control");
     given.target_stride = resolved_stride(given.target_stride, given.steps, given.n, "target_stride", "steps");
     given.undeformed_gap_stride = resolved_stride(given.undeformed_gap_stride, points, given.n, "undeformed_gap_stride", "nx*ny");
     given.mask_stride = resolved_stride(given.mask_stride, points, given.n, "mask_stride", "nx*ny");
+    for_many = given;
     if (given.n == 0 || given.steps == 0) return;
     if (given.n > most_values / std::max(given.steps, points))
       fail(RC_ERR_SHAPE, "rc_batch: n = ", given.n, " contacts of ", std::max(given.steps, points), " values are more than ",
            most_values, " values");
     if (!given.targets) fail(RC_ERR_ARGUMENT, "rc_batch.targets is null but n = ", given.n, " and steps = ", given.steps);
     if (!given.undeformed_gap) fail(RC_ERR_ARGUMENT, "rc_batch.undeformed_gap is null but n = ", given.n);
+    if (given.control != RC_CONTROL_PRESSURE) return;
+    const std::int64_t targets = (given.n - 1) * given.target_stride + given.steps;
+    for (std::int64_t i = 0; i < targets; ++i) loads.push_back(given.targets[i] * nominal_area(system));
+    for_many.control = RC_CONTROL_LOAD;
+    for_many.targets = loads.data();
   }
+  Request(const Request&) = delete;
+  Request& operator=(const Request&) = delete;
 
   double target(std::int64_t i, std::int64_t k) const { return given.targets[i * given.target_stride + k]; }
 
@@ -218,7 +227,7 @@ class Worker {
     const std::int64_t count = answers.contacts > 0 ? answers.contacts : end - i, steps = request_.given.steps;
     std::vector<std::int64_t> solved, others;
     for (std::int64_t k = 0; k < count; ++k) (k < answers.contacts && answers.solved(k, steps) ? solved : others).push_back(k);
-    if (const std::string why = refusal(request_.given, answers, solved, i, *contact_); !why.empty()) {
+    if (const std::string why = refusal(request_.for_many, answers, solved, i, *contact_); !why.empty()) {
       many_->log(i, i + count, why.c_str());
       others.insert(others.end(), solved.begin(), solved.end());
       std::sort(others.begin(), others.end());
@@ -357,10 +366,10 @@ BatchOutcome solve_batch(const rc_system& system, const rc_options& options, con
 
   const auto contact = [&] { return std::make_unique<Contact>(system, each); };
   std::unique_ptr<Contact> first = contact();  // checks the system and the options
-  const Request request(batch, system.nx * system.ny);
+  const Request request(batch, first->problem().system);
   Progress progress(batch, options.real(RC_OPT_TIME_LIMIT));
   const std::int64_t threads = std::clamp<std::int64_t>(batch.n, 1, options.integer(RC_OPT_THREADS));
-  const std::optional<ManySolve> many = ManySolve::of(first->problem(), request.given, threads);
+  const std::optional<ManySolve> many = ManySolve::of(first->problem(), request.for_many, threads);
   const ManySolve* const shared = many ? &*many : nullptr;
   Worker own(std::move(first), request, progress, shared);
   Helpers helpers(threads - 1, progress, [&, flag = stop_flag<ContactLibrary>] {

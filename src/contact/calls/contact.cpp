@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "contact/calls/controls.h"
 #include "contact/operators.h"
 #include "contact/slopes/derivatives.h"
 #include "core/error.h"
@@ -47,24 +48,33 @@ void Contact::ask(const Asked& asked) {
   problem.goal.leaves_indentation = asked.leaves_indentation;
 }
 
-Step Contact::prepare(const rc_step& given) {
-  const Step step = grid_.prepare(given);  // a step that is refused changes nothing
+Prepared Contact::prepare(const rc_step& given) {
+  const Pressed pressed = pressed_by(given, problem().system);
+  const Step step = grid_.prepare(pressed.step);  // a step that is refused changes nothing
+  begin();
+  return {step, pressed.share};
+}
+
+void Contact::begin() {
   accuracy_ = RC_ACCURACY_INIT;
   if (problem().options.integer(RC_OPT_RESUMABLE) != 0) goal_.forget();
-  return step;
 }
 
 Numbers Contact::solve(const rc_step& step, const Outputs& outputs) {
   OnHost host(grid_.problem(), held_, step, outputs, false);
-  const Step prepared = prepare(host.step);
+  const Prepared prepared = prepare(host.step);
   const Cancellable cancellable(watcher());
   Numbers numbers = solve_prepared(prepared, host.outputs);
   host.give(outputs);
   return numbers;
 }
 
-Numbers Contact::solve_prepared(const Step& step, const Outputs& outputs) {
+Numbers Contact::solve_prepared(const Prepared& prepared, const Outputs& outputs) {
   Monitor monitor = grid_.monitor();
+  return prepared.share ? at_area(prepared.step, *prepared.share, monitor, outputs) : at_target(prepared.step, monitor, outputs);
+}
+
+Numbers Contact::at_target(const Step& step, Monitor& monitor, const Outputs& outputs) {
   // With a hardness the whole grid is solved: the error estimates of an accuracy goal hold for elastic contact.
   const System& system = problem().system;
   const bool coarser_may_do =
@@ -82,7 +92,9 @@ Numbers Contact::solve_prepared(const Step& step, const Outputs& outputs) {
 
 Numbers Contact::certify(const rc_step& step, const Outputs& outputs, std::optional<double> compression) {
   OnHost host(grid_.problem(), held_, step, outputs, true);
-  Numbers numbers = grid_.certify(host.step, host.outputs, compression);
+  const Pressed pressed = pressed_by(host.step, problem().system);
+  if (pressed.share) fail(RC_ERR_ARGUMENT, "pressures are certified at a load, mean pressure or approach, not at an area");
+  Numbers numbers = grid_.certify(pressed.step, host.outputs, compression);
   accuracy_ = numbers.accuracy;
   host.give(outputs);
   return numbers;

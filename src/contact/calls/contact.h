@@ -19,6 +19,12 @@ struct Asked {
   bool leaves_indentation;         // whether it leaves a plastic indentation to those after it
 };
 
+// A step that the contact has prepared, by load if the area is prescribed.
+struct Prepared {
+  Step step;
+  std::optional<double> share;  // of the nominal area, which the load is to give
+};
+
 class Contact {
  public:
   Contact(const rc_system& system, const rc_options& options, const Company& company = {});
@@ -43,11 +49,14 @@ class Contact {
   void restore(const rc_state& state);
 
   // One step of a history, while it is Cancellable.
-  Step prepare(const rc_step& step);
-  Numbers solve_prepared(const Step& step, const Outputs& outputs);
+  Prepared prepare(const rc_step& step);
+  Numbers solve_prepared(const Prepared& step, const Outputs& outputs);
   void ask(const Asked& asked);
 
  private:
+  void begin();  // one more solve of the prepared step
+  Numbers at_target(const Step& step, Monitor& monitor, const Outputs& outputs);
+  Numbers at_area(Step step, double share, Monitor& monitor, const Outputs& outputs);
   void drop_copies();
 
   HeldCopies held_;  // outlives what refers to it

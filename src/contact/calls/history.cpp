@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/calls/controls.h"
 #include "contact/calls/step_outputs.h"
 #include "core/error.h"
 #include "core/host_call.h"
@@ -15,9 +16,7 @@ namespace {
 
 void check_history(const rc_history& history) {
   if (history.n < 0) fail(RC_ERR_ARGUMENT, "rc_history.n = ", history.n, " must be >= 0");
-  if (history.control != RC_CONTROL_APPROACH && history.control != RC_CONTROL_LOAD)
-    fail(RC_ERR_ARGUMENT, "rc_history.control = ", history.control,
-         " is neither RC_CONTROL_APPROACH (1) nor RC_CONTROL_LOAD (2)");
+  check_control(history.control, "rc_history.control");
   if (history.n > 0 && !history.targets) fail(RC_ERR_ARGUMENT, "rc_history.targets is null but rc_history.n = ", history.n);
   for (std::int64_t i = 0; i < history.n; ++i)
     if (!std::isfinite(history.targets[i]))
@@ -95,7 +94,7 @@ rc_status solve_history(Contact& contact, const rc_history& history, const Histo
     const Outputs outputs{{history.fn ? p.data() : nullptr}, {gap.empty() ? nullptr : gap.data()}};
     Numbers numbers;
     try {
-      const Step prepared = contact.prepare(step);
+      const Prepared prepared = contact.prepare(step);
       clear_message();
       numbers.status = RC_STOP_CANCELLED;
       if (!contact.problem().company().any(cancellable.cancelled())) numbers = contact.solve_prepared(prepared, outputs);

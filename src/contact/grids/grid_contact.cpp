@@ -101,10 +101,14 @@ Step GridContact::prepare(const rc_step& given_step) {
     indentation_ = std::move(given->indentation);
   }
   memory_.indented = !indentation_.none();
+  begin();
+  return step;
+}
+
+void GridContact::begin() {
   if (problem_.options.integer(RC_OPT_RESUMABLE) != 0) forget_operators();
   grids_.begin_step();
   memory_.outcome = {};
-  return step;
 }
 
 Numbers GridContact::solve_prepared(const Step& step, Monitor& monitor, const Outputs& outputs,

@@ -38,12 +38,17 @@ class GridContact {
 
   // Checks the step and takes its surface; a step that is refused changes nothing.
   Step prepare(const rc_step& step);
+  // Begins one more solve of the prepared step, with another target.
+  void begin();
   // Solves a step that has prepared. nearer: the estimate of a coarser grid.
   Numbers solve_prepared(const Step& step, Monitor& monitor, const Outputs& outputs,
                          const std::optional<Estimate>& nearer = std::nullopt);
   // Certifies the pressures in outputs.p. compression: of a step that was solved elsewhere, if the load is prescribed; the steps
   // that follow see its indentation.
   Numbers certify(const rc_step& step, const Outputs& outputs, std::optional<double> compression = std::nullopt);
+  // The memory that another solve of the prepared step starts from.
+  void recall(Memory&& memory) { memory_ = std::move(memory); }
+  void leave_no_indentation() { overlap_ = {}; }  // of the last step
   // Remembers a step that is certified or within its goal.
   void remember(Finished&& finished, const Choice& by);
 

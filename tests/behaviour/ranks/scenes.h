@@ -13,7 +13,7 @@ typedef struct scene {
   const char* name;
   int64_t nx, ny;
   int32_t boundary, control;
-  double target;   /* approach above the lowest gap, or load */
+  double target;   /* approach above the lowest gap, load or area */
   double hardness; /* 0: none */
   enum masking mask;
   const char* products; /* haar-cg.products */
@@ -40,6 +40,10 @@ static const scene scenes[] = {
     {"kernel disc", 64, 48, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.04, 0, whole, "mixed", 0, 0, "disc"},
     {"kernel eq9", 64, 48, RC_BOUNDARY_FREE, RC_CONTROL_APPROACH, 0.04, 0, whole, "mixed", 0, 0, "eq9"},
     {"kernel punch", 64, 48, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.04, 0, whole, "mixed", 0, 0, "punch"},
+    {"area", 70, 130, RC_BOUNDARY_FREE, RC_CONTROL_AREA, 0.3, 0, holes, "mixed", 0, 0, NULL},
+    {"area, hardness", 64, 80, RC_BOUNDARY_PERIODIC, RC_CONTROL_AREA, 0.1, 0.15, whole, "double", 0, 0, NULL},
+    {"area, few rows", 50, 5, RC_BOUNDARY_FREE, RC_CONTROL_AREA, 0.01, 0, whole, "mixed", 0, 0, NULL},
+    {"mean pressure", 64, 64, RC_BOUNDARY_PERIODIC, RC_CONTROL_PRESSURE, 0.02, 0, whole, "mixed", 0, 0, NULL},
     {"few pieces of rows", 36, 32, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.03, 0, whole, "mixed", 0, 2, NULL},
     {"nothing touches", 64, 64, RC_BOUNDARY_FREE, RC_CONTROL_APPROACH, -0.1, 0, whole, "mixed", 0, 0, NULL},
     {"few rows", 50, 5, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.01, 0, whole, "mixed", 0, 0, NULL},
@@ -128,7 +132,7 @@ static void fill_rows(const scene* s, int64_t first, int64_t count, double* gap,
 /* An approach is counted from the lowest gap of the whole surface. */
 static double target_of(const scene* s) {
   double least = INFINITY;
-  if (s->control == RC_CONTROL_LOAD) return s->target;
+  if (s->control != RC_CONTROL_APPROACH) return s->target;
   for (int64_t y = 0; y < s->ny; ++y)
     for (int64_t x = 0; x < s->nx; ++x)
       if (included(s, x, y)) least = fmin(least, gap_at(s, x, y));

@@ -76,7 +76,8 @@ Section batches() {
            batch_with(0, [](Study& s) { s.batch.steps = -1; })},
           {"batch with control = 3",
            refused,
-           {"rc_batch.control = 3 is neither RC_CONTROL_APPROACH (1) nor RC_CONTROL_LOAD (2)"},
+           {"rc_batch.control = 3 is none of RC_CONTROL_APPROACH (1), RC_CONTROL_LOAD (2), RC_CONTROL_AREA (4), "
+            "RC_CONTROL_PRESSURE (8)"},
            batch_with(0, [](Study& s) { s.batch.control = 3; })},
           {"batch with warm_start = -1",
            refused,

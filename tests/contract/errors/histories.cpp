@@ -118,7 +118,8 @@ Section paths() {
                path_with(0, [](History& h) { h.path.targets = nullptr; })},
               {"path with control = 3",
                refused,
-               {"rc_history.control = 3 is neither RC_CONTROL_APPROACH (1) nor RC_CONTROL_LOAD (2)"},
+               {"rc_history.control = 3 is none of RC_CONTROL_APPROACH (1), RC_CONTROL_LOAD (2), RC_CONTROL_AREA (4), "
+                "RC_CONTROL_PRESSURE (8)"},
                path_with(0, [](History& h) { h.path.control = 3; })},
               {"path with warm_start = 2",
                refused,

@@ -124,7 +124,8 @@ Section steps() {
       {
           {"control = 0",
            refused,
-           {"rc_step.control = 0 is neither RC_CONTROL_APPROACH (1) nor RC_CONTROL_LOAD (2)"},
+           {"rc_step.control = 0 is none of RC_CONTROL_APPROACH (1), RC_CONTROL_LOAD (2), RC_CONTROL_AREA (4), "
+            "RC_CONTROL_PRESSURE (8)"},
            step_with([](Scene& s) { s.step.control = 0; })},
           {"target = NaN", refused, {"rc_step.target = nan is not finite"}, step_with([](Scene& s) { s.step.target = nan; })},
           {"target = infinity", refused, {"rc_step.target = inf is not finite"}, step_with([](Scene& s) {

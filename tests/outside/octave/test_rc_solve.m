@@ -76,6 +76,10 @@ lastwarn ("");
 [~, info] = rc_solve (z, rmfield (setfield (opts, "load", 1), {"boundary", "approach"}));
 check ("a boundary that nobody names is periodic, with a warning", info.status == 0);
 
+by_area = rmfield (opts, "approach"); by_area.area = "10%";
+[~, back] = rc_solve (z, by_area);
+check ("an area as a share", abs (back.area_fraction - 0.1) <= 0.51 / numel (z));
+
 started = opts; started.p0 = rc_solve (z, opts);
 [p, info] = rc_solve (z, started);
 check ("an explicit start", info.status == 0);

@@ -243,14 +243,14 @@ def test_errors_name_all_ways(rough, call):
     with rc.Contact(system) as contact:
         given = (contact, rough) if "Contact" in call.__qualname__ else (rough,)
         more = {} if len(given) == 2 else {"system": system}
-        refused(rc.ArgumentError, "nothing presses: one of approach, load, pressure is needed", call, *given, **more)
+        refused(rc.ArgumentError, "nothing presses: one of approach, load, pressure, area is needed", call, *given, **more)
         refused(rc.ArgumentError, "give only one of load and pressure", call, *given, **more, load=1.0, pressure=1.0)
     for call in (rc.solve, rc.history, rc.batch):
         refused(rc.ArgumentError, "modulus is missing", call, rough, load=1e-4)
     refused(rc.ArgumentError, "modulus is missing", rc.HalfSpace, (4, 4), pitch=1.0)
 
 
-@pytest.mark.parametrize("name", ["load", "approach", "pressure"])
+@pytest.mark.parametrize("name", ["load", "approach", "pressure", "area"])
 def test_histories_without_a_step_are_refused(rough, name):
     for call in (rc.history, rc.batch):
         refused(rc.ArgumentError, f"{name} is empty: one value for each step", call, rough, modulus=1e9, **{name: []})
@@ -259,7 +259,7 @@ def test_histories_without_a_step_are_refused(rough, name):
 
 
 @pytest.mark.parametrize("several", [[1e-7, 2e-7], (1e-7, 2e-7), np.array([1e-7, 2e-7]), np.full((2, 2), 1e-7)])
-@pytest.mark.parametrize("name", ["approach", "load", "pressure"])
+@pytest.mark.parametrize("name", ["approach", "load", "pressure", "area"])
 def test_several_targets_of_one_step_name_the_history(name, several, sphere_gap, half_space):
     for call in (
         lambda: rc.solve(undeformed_gap=sphere_gap, system=half_space, **{name: several}),

@@ -121,3 +121,20 @@ def test_same_bits_as_the_c_function(control, name, target, boundary):
     result = rc.solve(surface, modulus=MODULUS, boundary=boundary, **{name: target})
     assert result.contacts > 10
     assert np.array_equal(result.pressure, expected)
+
+
+def test_an_area_is_a_share_of_the_grid():
+    surface = rc.surface.spectral((40, 56), pitch=PITCH, rms_height=2e-7, hurst=0.7)
+    with rc.Contact(rc.HalfSpace.under(surface, modulus=MODULUS)) as contact:
+        found = [rc.solve(surface, modulus=MODULUS, area=0.1), contact.solve(surface, area=0.1)]
+    for each in found:
+        assert each.area_fraction == pytest.approx(0.1, abs=0.51 / 2240)
+    history = rc.history(surface, modulus=MODULUS, area=[0.02, 0.2])
+    assert history.area_fraction == pytest.approx([0.02, 0.2], abs=0.51 / 2240)
+    assert list(history.targets) == [0.02, 0.2] and history.prescribed == "area"
+    batch = rc.batch([surface, surface], modulus=MODULUS, area=[[0.02], [0.2]])
+    assert np.array_equal(batch.load[0], history.load[:1])
+    with pytest.raises(rc.ArgumentError, match="area: 5 is more than the whole"):
+        rc.solve(surface, modulus=MODULUS, area=5)
+    with pytest.raises(rc.InfeasibleError, match="negative"):
+        rc.solve(surface, modulus=MODULUS, area=-0.1)

@@ -73,7 +73,7 @@ class Areas(Steps):
         """A wave along x alone: whole columns touch at once."""
         z = 1e-8 * np.cos(2 * np.pi * np.arange(32) / 32)[None, :] * np.ones((8, 1))
         done = self.solve(self.npy(z), *PRESS, "--boundary", "periodic", "--area", "20%,100%,0", "--out", "out", env=without_gnuplot())
-        self.assertIn("remark: area 20 % asked, 21.9 % is the nearest that a load gives on this grid", done.stderr)
+        self.assertIn("remark: area: 20 % asked, 21.9 % of the grid is the nearest that a load gives", done.stderr)
         steps = json.loads((self.folder / "out/summary.json").read_text())["steps"]
         self.assertEqual([step["area_fraction"] for step in steps], [7 / 32, 1, 0])
 

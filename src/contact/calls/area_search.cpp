@@ -1,9 +1,9 @@
-#include "solve/area_search.h"
+#include "contact/calls/area_search.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace cli {
+namespace rc {
 
 namespace {
 
@@ -12,22 +12,24 @@ constexpr double least_bracket = 1e-9;  // relative width, below which the area 
 
 }  // namespace
 
+AreaSearch::AreaSearch(double target, double first, const Limits& limits)
+    : target_(target), load_(target > 0 ? std::min(first, limits.most) : 0), limits_(limits) {}
+
 bool AreaSearch::near(double share) const {
-  return std::abs(share - target_) <= std::max(tolerance * target_, (0.5 + 1e-9) / points_);
+  return std::abs(share - target_) <= std::max(tolerance * target_, (0.5 + 1e-9) / limits_.points);
 }
 
-bool AreaSearch::add(double share) {
-  const bool nearer = nearest_ < 0 || std::abs(share - target_) < std::abs(nearest_ - target_);
-  if (nearer) nearest_ = share;
+void AreaSearch::add(double share) {
+  if (nearest_.share < 0 || std::abs(share - target_) < std::abs(nearest_.share - target_)) nearest_ = {load_, share};
   const bool low = share < target_;
   const int towards = low ? 1 : -1;
   same_side_ = (same_side_ > 0) == low ? same_side_ + towards : towards;
   (low ? below_ : above_) = {load_, share};
   const bool both = below_.load > 0 && above_.load > 0;
-  done_ = near(share) || ++tries_ == most_tries || target_ <= 0 || (!low && share * points_ < 1.5) || (low && load_ >= most_) ||
+  const bool at_most = load_ >= limits_.most || share * limits_.points >= limits_.included - 0.5;
+  done_ = near(share) || ++tries_ == most_tries || target_ <= 0 || (!low && share * limits_.points < 1.5) || (low && at_most) ||
           (both && above_.load <= (1 + least_bracket) * below_.load);
-  if (!done_) load_ = std::min(next(), most_);
-  return nearer;
+  if (!done_) load_ = std::min(next(), limits_.most);
 }
 
 // The area grows nearly as a power of the load: the secant is taken of the logarithms.
@@ -44,4 +46,4 @@ double AreaSearch::next() const {
   return below_.load * std::exp(place * width);
 }
 
-}  // namespace cli
+}  // namespace rc
