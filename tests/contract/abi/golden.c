@@ -82,6 +82,10 @@ VALUE(RC_SURFACE_MAX, 3);
 VALUE(RC_SURFACE_FORM_MEAN, 1);
 VALUE(RC_SURFACE_FORM_PLANE, 2);
 VALUE(RC_SURFACE_FORM_QUADRIC, 3);
+VALUE(RC_SURFACE_MIRROR_X, 1);
+VALUE(RC_SURFACE_MIRROR_Y, 2);
+VALUE(RC_SURFACE_LINEAR, 1);
+VALUE(RC_SURFACE_CUBIC, 2);
 VALUE(RC_ABI, 0);
 VALUE(RC_SURFACE_PEAKS, 4);
 
@@ -582,6 +586,24 @@ AT(rc_surface_format, suffixes, 24);
 AT(rc_surface_format, says, 32);
 AT(rc_surface_format, by_contents, 40);
 AT(rc_surface_format, reserved, 44);
+
+SIZE(rc_surface_resampling, 120);
+AT(rc_surface_resampling, struct_size, 0);
+AT(rc_surface_resampling, nx, 8);
+AT(rc_surface_resampling, ny, 16);
+AT(rc_surface_resampling, hx, 24);
+AT(rc_surface_resampling, hy, 32);
+AT(rc_surface_resampling, heights, 40);
+AT(rc_surface_resampling, periodic, 48);
+AT(rc_surface_resampling, interpolation, 52);
+AT(rc_surface_resampling, to_nx, 56);
+AT(rc_surface_resampling, to_ny, 64);
+AT(rc_surface_resampling, to_hx, 72);
+AT(rc_surface_resampling, to_hy, 80);
+AT(rc_surface_resampling, x0, 88);
+AT(rc_surface_resampling, y0, 96);
+AT(rc_surface_resampling, to, 104);
+AT(rc_surface_resampling, missing, 112);
 
 SIZE(rc_exchange, 64);
 AT(rc_exchange, struct_size, 0);
