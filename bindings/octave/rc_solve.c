@@ -119,8 +119,8 @@ static rc_status set_text(Request* request, const char* field, const char* value
   return keep_message(request, rc_options_parse(request->options, find_option(field, &spec) ? spec.key : field, value));
 }
 
-/* heights and p0 (may be NULL) have nx*ny values, as has p; gap may be NULL. */
-static rc_status solve(Request* request, const double* heights, const double* p0, double* p, double* gap, rc_result* result) {
+/* heights have nx*ny values, as has p; gap may be NULL. */
+static rc_status solve(Request* request, const double* heights, double* p, double* gap, rc_result* result) {
   if (!request->step.control) return refuse(request, RC_ERR_ARGUMENT, "give opts.approach or opts.load");
   if (!request->system.boundary)
     return refuse(
@@ -129,14 +129,13 @@ static rc_status solve(Request* request, const double* heights, const double* p0
         "that ends at the grid's edges, as a ball does");
   const size_t n = (size_t)request->system.nx * (size_t)request->system.ny;
   double* undeformed_gap = mxMalloc(n * sizeof *undeformed_gap + 1);
-  rc_status status = rc_gap_from_heights((int64_t)n, heights, request->mask, undeformed_gap);
+  rc_status status = rc_gap_from_heights((int64_t)n, RC_IN(heights), RC_IN(request->mask), RC_OUT(undeformed_gap));
   if (status != RC_OK) return keep_message(request, status);
-  request->step.undeformed_gap.data = undeformed_gap;
-  request->step.mask.data = request->mask;
-  request->step.p0.data = p0;
+  request->step.undeformed_gap = RC_IN(undeformed_gap);
+  request->step.mask = RC_IN(request->mask);
   *result = (rc_result)RC_RESULT_INIT;
-  result->p.data = p;
-  result->gap.data = gap;
+  result->p = RC_OUT(p);
+  result->gap = RC_OUT(gap);
 
   rc_contact* contact = NULL;
   status = rc_contact_create(&request->system, request->options, &contact);
@@ -148,7 +147,7 @@ static rc_status solve(Request* request, const double* heights, const double* p0
   if (status >= 0) rc_contact_accuracy(contact, &request->accuracy);
   if (status == RC_OK && request->asks_gradient) {
     request->by_gap = mxCreateDoubleMatrix((size_t)request->system.nx, (size_t)request->system.ny, mxREAL);
-    request->gradient.dJ_dundeformed_gap = mxGetPr(request->by_gap);
+    request->gradient.dJ_dundeformed_gap = RC_OUT(mxGetPr(request->by_gap));
     const rc_status found = keep_message(request, rc_contact_gradient(contact, &request->gradient));
     if (found != RC_OK && found != RC_STOP_STALLED) status = found;
   }
@@ -247,11 +246,11 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
   const size_t nx = mxGetM(prhs[0]), ny = mxGetN(prhs[0]);
   Request request;
   check(&request, open_request(&request, (int64_t)nx, (int64_t)ny));
-  const double *heights = matrix(&request, "z", prhs[0]), *p0 = NULL;
+  const double* heights = matrix(&request, "z", prhs[0]);
   const struct {
     const char* name;
-    const double** to;
-  } fields[] = {{"p0", &p0}, {"dJ_dp", &request.gradient.dJ_dp}, {"dJ_dgap", &request.gradient.dJ_dgap}};
+    rc_const_array* to;
+  } fields[] = {{"p0", &request.step.p0}, {"dJ_dp", &request.gradient.dJ_dp}, {"dJ_dgap", &request.gradient.dJ_dgap}};
   if (!mxIsStruct(prhs[1]) || mxGetNumberOfElements(prhs[1]) != 1)
     check(&request, refuse(&request, RC_ERR_ARGUMENT, "opts must be a struct"));
   for (int k = 0; k < mxGetNumberOfFields(prhs[1]); ++k) {
@@ -264,7 +263,7 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
     } else if (value && which < 3) {
       char name[16];
       snprintf(name, sizeof name, "opts.%s", field);
-      *fields[which].to = matrix(&request, name, value);
+      *fields[which].to = RC_IN(matrix(&request, name, value));
       if (mxGetM(value) != nx || mxGetN(value) != ny)
         check(&request, refuse(&request, RC_ERR_SHAPE, "%s must have the shape of z", name));
     } else {
@@ -275,7 +274,7 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
   plhs[0] = mxCreateDoubleMatrix(nx, ny, mxREAL);
   mxArray* gap = nlhs > 1 ? mxCreateDoubleMatrix(nx, ny, mxREAL) : NULL;
   rc_result result;
-  const rc_status status = solve(&request, heights, p0, mxGetPr(plhs[0]), gap ? mxGetPr(gap) : NULL, &result);
+  const rc_status status = solve(&request, heights, mxGetPr(plhs[0]), gap ? mxGetPr(gap) : NULL, &result);
   if (status == RC_STOP_CANCELLED) {
     close_request(&request);
     mexErrMsgIdAndTxt("roughcontact:RC_STOP_CANCELLED", "rc_solve: interrupted");

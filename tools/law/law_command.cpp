@@ -187,9 +187,9 @@ PatchLaw make_law(LawArguments& arguments) {
   const std::vector<double>& heights = problem.input.surface.heights;
   const std::uint8_t* const mask = problem.input.mask.empty() ? nullptr : problem.input.mask.data();
   std::vector<double> gap(heights.size());
-  check(rc_gap_from_heights(static_cast<std::int64_t>(gap.size()), heights.data(), mask, gap.data()), "");
-  spec.undeformed_gap = gap.data();
-  spec.mask = mask;
+  check(rc_gap_from_heights(static_cast<std::int64_t>(gap.size()), RC_IN(heights.data()), RC_IN(mask), RC_OUT(gap.data())), "");
+  spec.undeformed_gap = RC_IN(gap.data());
+  spec.mask = RC_IN(mask);
   Context context;
   const Options options = make_options(context, default_threads(problem.system.nx * problem.system.ny), problem.options);
   PatchLaw law;

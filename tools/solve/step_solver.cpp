@@ -43,7 +43,7 @@ double whole_area(const Problem& problem) {
 
 StepSolver::StepSolver(rc_contact* contact, const Problem& problem)
     : contact_(contact), problem_(problem), gap_(problem.input.surface.heights) {
-  check(rc_gap_from_heights(static_cast<std::int64_t>(gap_.size()), gap_.data(), nullptr, gap_.data()), "");
+  check(rc_gap_from_heights(static_cast<std::int64_t>(gap_.size()), RC_IN(gap_.data()), {}, RC_OUT(gap_.data())), "");
 }
 
 void StepSolver::restore(std::vector<CertifiedStep> certified, std::vector<double> indentation) {
@@ -54,19 +54,19 @@ void StepSolver::restore(std::vector<CertifiedStep> certified, std::vector<doubl
 
 void StepSolver::restore_contact() {
   rc_state state = RC_STATE_INIT;
-  state.undeformed_gap = gap_.data();
-  state.mask = problem_.input.mask.empty() ? nullptr : problem_.input.mask.data();
+  state.undeformed_gap = RC_IN(gap_.data());
+  state.mask = RC_IN(problem_.input.mask.empty() ? nullptr : problem_.input.mask.data());
   if (!certified_.empty()) {
-    state.p = certified_[0].pressure.data();
+    state.p = RC_IN(certified_[0].pressure.data());
     state.approach = certified_[0].approach;
     state.load = certified_[0].load;
   }
   if (certified_.size() > 1) {
-    state.p_before = certified_[1].pressure.data();
+    state.p_before = RC_IN(certified_[1].pressure.data());
     state.approach_before = certified_[1].approach;
     state.load_before = certified_[1].load;
   }
-  if (!indentation_.empty()) state.indentation = indentation_.data();
+  if (!indentation_.empty()) state.indentation = RC_IN(indentation_.data());
   check(rc_contact_restore(contact_, &state), "--resume");
   gap_given_ = true;
 }
@@ -92,7 +92,7 @@ StepRecord StepSolver::press(int number, int32_t control, double target, Fields&
   if (status > 0) record.message = last_message();
   check(status, format("step %d", number));
   check(rc_contact_accuracy(contact_, &record.accuracy), "");
-  if (!fields.indentation.empty()) check(rc_contact_indentation(contact_, fields.indentation.data()), "");
+  if (!fields.indentation.empty()) check(rc_contact_indentation(contact_, RC_OUT(fields.indentation.data())), "");
   record.measures = measure(problem_, fields.pressure);
   return record;
 }

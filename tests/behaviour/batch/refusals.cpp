@@ -31,8 +31,8 @@ void bad_arguments_are_refused() {
   bad([](rc_batch& b) { b.n = -1; }, "rc_batch_solve: rc_batch.n = -1 must be >= 0");
   bad([](rc_batch& b) { b.steps = -3; }, "rc_batch.steps = -3 must be >= 0");
   bad([](rc_batch& b) { b.control = 7; }, "rc_batch.control = 7 is neither RC_CONTROL_APPROACH (1) nor RC_CONTROL_LOAD (2)");
-  bad([](rc_batch& b) { b.targets = nullptr; }, "rc_batch.targets is null but n = 3 and steps = 2");
-  bad([](rc_batch& b) { b.undeformed_gap = nullptr; }, "rc_batch.undeformed_gap is null but n = 3");
+  bad([](rc_batch& b) { b.targets = {}; }, "rc_batch.targets is null but n = 3 and steps = 2");
+  bad([](rc_batch& b) { b.undeformed_gap = {}; }, "rc_batch.undeformed_gap is null but n = 3");
   bad([](rc_batch& b) { b.target_stride = 1; },
       "rc_batch.target_stride = 1 must be 0, RC_BATCH_SHARED (-1) or at least steps = 2", RC_ERR_SHAPE);
   bad([](rc_batch& b) { b.undeformed_gap_stride = 431; },
