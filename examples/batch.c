@@ -36,12 +36,12 @@ int main(void) {
   batch.control = RC_CONTROL_LOAD;
   batch.n = SURFACES;
   batch.steps = STEPS;
-  batch.targets = targets;
+  batch.targets = RC_IN(targets);
   batch.target_stride = RC_BATCH_SHARED; /* the same loads for all; surfaces follow one another */
-  batch.undeformed_gap = gap[0];
-  batch.columns.approach = approach[0];
-  batch.columns.contact_area = area[0];
-  batch.columns.status = status[0];
+  batch.undeformed_gap = RC_IN(gap[0]);
+  batch.columns.approach = RC_OUT(approach[0]);
+  batch.columns.contact_area = RC_OUT(area[0]);
+  batch.columns.status = RC_OUT(status[0]);
 
   rc_options* options = NULL;
   rc_status result = rc_options_create(NULL, &options);

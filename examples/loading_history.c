@@ -27,10 +27,10 @@ static rc_status press_and_release(void) {
   rc_history history = RC_HISTORY_INIT;
   history.control = RC_CONTROL_APPROACH;
   history.n = STEPS;
-  history.targets = targets;
-  history.undeformed_gap = gap;
-  history.columns.load = load;
-  history.columns.stiffness = stiffness;
+  history.targets = RC_IN(targets);
+  history.undeformed_gap = RC_IN(gap);
+  history.columns.load = RC_OUT(load);
+  history.columns.stiffness = RC_OUT(stiffness);
   history.fn = report;
 
   rc_contact* contact = NULL;

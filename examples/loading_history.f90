@@ -27,8 +27,8 @@ contains
       end do
     end do
     targets = [(0.1e-6_c_double * min(k, 10 - k), k=1, steps)]
-    history = rc_history(control=RC_CONTROL_APPROACH, n=steps, targets=c_loc(targets), undeformed_gap=c_loc(gap), &
-      columns=rc_columns(load=c_loc(load), contact_area=c_loc(area)))
+    history = rc_history(control=RC_CONTROL_APPROACH, n=steps, targets=rc_const_array(c_loc(targets)), &
+      undeformed_gap=rc_const_array(c_loc(gap)), columns=rc_columns(load=rc_array(c_loc(load)), contact_area=rc_array(c_loc(area))))
     contact = c_null_ptr
     status = rc_contact_create(rc_system(boundary=RC_BOUNDARY_FREE, nx=n, ny=n, hx=1e-6_c_double, hy=1e-6_c_double, &
     modulus=70e9_c_double), c_null_ptr, contact)

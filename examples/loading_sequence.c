@@ -18,13 +18,13 @@ int main(void) {
   rc_step step = RC_STEP_INIT;
   step.control = RC_CONTROL_LOAD;
   rc_result result = RC_RESULT_INIT;
-  result.p.data = pressure;
+  result.p = RC_OUT(pressure);
 
   rc_contact* contact = NULL;
   rc_status status = rc_contact_create(&system, NULL, &contact);
   if (status == RC_OK) puts("  load [N]  approach [m]  area [%]  max p [Pa]  products with H");
   for (int k = 1; status == RC_OK && k <= 10; ++k) {
-    step.undeformed_gap.data = k == 1 ? gap : NULL; /* NULL: as before */
+    step.undeformed_gap = RC_IN(k == 1 ? gap : NULL); /* NULL: as before */
     step.target = 0.3 * k;
     status = rc_contact_solve(contact, &step, &result);
     if (status != RC_OK) break;

@@ -24,10 +24,10 @@ int main(void) {
   rc_step step = RC_STEP_INIT;
   step.control = RC_CONTROL_LOAD;
   step.target = 2.0;
-  step.undeformed_gap.data = gap;
+  step.undeformed_gap = RC_IN(gap);
   rc_result result = RC_RESULT_INIT;
-  result.p.data = pressure;
-  result.gap.data = deformed;
+  result.p = RC_OUT(pressure);
+  result.gap = RC_OUT(deformed);
 
   const rc_status status = rc_solve(&system, &step, NULL, &result);
   if (status != RC_OK) {

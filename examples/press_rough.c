@@ -37,8 +37,8 @@ int main(void) {
   system.nx = system.ny = N;
   system.hx = system.hy = h;
   system.modulus = 100e9;
-  rc_gap_from_heights(N * N, z, NULL, gap);
-  step.undeformed_gap.data = gap;
+  rc_gap_from_heights(N * N, RC_IN(z), RC_IN(NULL), RC_OUT(gap));
+  step.undeformed_gap = RC_IN(gap);
   step.target = advice.approach;
   status = rc_options_create(NULL, &options);
   if (status == RC_OK) status = rc_options_set_text(options, RC_OPT_SOLVER, "cmr");

@@ -21,7 +21,7 @@ int main(int argc, char** argv) {
   rc_step step = RC_STEP_INIT;
   step.control = RC_CONTROL_APPROACH;
   step.target = 1e-6;
-  step.undeformed_gap.data = gap;
+  step.undeformed_gap = RC_IN(gap);
   rc_result result = RC_RESULT_INIT;
 
   rc_options* options = NULL;

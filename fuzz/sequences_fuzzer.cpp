@@ -182,9 +182,9 @@ class Sequence {
     path.control = step.given.control;
     path.warm_start = step.given.warm_start;
     path.n = history;
-    path.targets = targets;
-    path.undeformed_gap = fuzz::gap_of(step.given);
-    path.mask = fuzz::mask_of(step.given);
+    path.targets = RC_IN(targets);
+    path.undeformed_gap = step.given.undeformed_gap;
+    path.mask = step.given.mask;
     Shown shown{oracle_, problem, targets, {indentation_}};
     path.fn = of_path;
     path.user = &shown;
@@ -207,10 +207,10 @@ class Sequence {
     batch.control = step.given.control;
     batch.n = 2;
     batch.steps = history;
-    batch.targets = targets;
-    batch.undeformed_gap = step.undeformed_gap.data();
+    batch.targets = RC_IN(targets);
+    batch.undeformed_gap = RC_IN(step.undeformed_gap.data());
     batch.undeformed_gap_stride = RC_BATCH_SHARED;
-    batch.mask = fuzz::mask_of(step.given);
+    batch.mask = step.given.mask;
     batch.mask_stride = RC_BATCH_SHARED;
     const Problem problem{step.undeformed_gap.data(), fuzz::mask_of(step.given), step.given.control, 0};
     Shown shown{oracle_, problem, targets, {2, Indentation(scene_)}};
@@ -268,12 +268,12 @@ class Sequence {
     rc_contact* other = nullptr;
     if (rc_contact_create(&scene_.system, options_, &other) != RC_OK) return;
     rc_state state = RC_STATE_INIT;
-    state.undeformed_gap = last_problem_.gap;
-    state.mask = last_problem_.mask;
-    state.p = last_p_.data();
+    state.undeformed_gap = RC_IN(last_problem_.gap);
+    state.mask = RC_IN(last_problem_.mask);
+    state.p = RC_IN(last_p_.data());
     state.approach = last_.approach;
     state.load = last_.load;
-    state.indentation = scene_.system.hardness > 0 ? indentation_.depth() : nullptr;
+    state.indentation = RC_IN(scene_.system.hardness > 0 ? indentation_.depth() : nullptr);
     require(rc_contact_restore(other, &state) == RC_OK, "an answer can be restored");
     Indentation indentation = indentation_;
     indentation.require_of(other);
@@ -292,7 +292,7 @@ class Sequence {
 
   void look() {
     std::int64_t n = -1, first = -1;
-    require(rc_contact_points(contact_, 1, &first, nullptr, &n) == RC_OK, "a contact tells its points");
+    require(rc_contact_points(contact_, 1, RC_OUT(&first), {}, &n) == RC_OK, "a contact tells its points");
     require(n >= 0 && n <= static_cast<std::int64_t>(scene_.points()), "points in contact are some of the grid's");
     if (!last_p_.empty()) require(n == last_.contacts, "the points in contact are those of the last certified step");
     rc_level level = RC_LEVEL_INIT;

@@ -18,7 +18,7 @@ import textwrap
 from typing import Any, Dict, Iterable, List, Sequence, Tuple
 
 try:
-    from c_interface import Function, Interface, Struct, Type, layout, read, struct_size
+    from c_interface import SCALARS, Function, Interface, Struct, Type, layout, read, struct_size
 except ImportError as missing:
     if missing.name != "pycparser":
         raise
@@ -38,32 +38,14 @@ HEADERS = {
 FROM_PLUGIN = ["rc_context_register"]
 # The parts of mpi.h for languages that know communicators by their Fortran handles.
 FROM_MPI = ["rc_ranks_counts"]
-# Facts that a C prototype does not have. Pointers to one number, for Fortran: all others are arrays.
-SCALARS = {
-    "rc_version": "major minor patch abi",
-    **dict.fromkeys(("rc_stop_when", "rc_surface_stop_when"), "flag"),
-    "rc_options_get_int": "out",
-    "rc_options_get_real": "out",
-    "rc_contact_points": "n",
-    "rc_conductance": "conductance lower upper",
-    "rc_punch_stiffness": "stiffness lower upper",
-    "rc_law_pressure": "p slope energy",
-    "rc_law_overclosure": "x",
-    "rc_law_gap_conductance": "conductance",
-    "rc_surface_psd": "count",
-    "rc_surface_unit": "metres",
-    "rc_mpi_rows_f": "first count",
-}
 # Arguments that Fortran may leave out: NULL in C.
 OPTIONAL = {
     "rc_version": "major minor patch abi",
     **dict.fromkeys(("rc_stop_when", "rc_surface_stop_when"), "flag"),
     "rc_context_create": "config",
-    "rc_contact_points": "index p",
     "rc_conductance": "lower upper",
     "rc_punch_stiffness": "lower upper",
     "rc_law_pressure": "slope energy",
-    "rc_law_pressures": "p slope energy",
     **dict.fromkeys(("rc_greedy", "rc_polonsky_keer", "rc_nnls", "rc_gp", "rc_admm"), "w result"),
     "rc_cmr": "inner result",
     "rc_surface_psd": "q psd modes",
@@ -179,7 +161,7 @@ def fortran_argument(function: str, name: str, kind: Type, interface: Interface)
     if interface.callback(kind):
         return "type(c_funptr), value", name
     if kind.base in interface.known:
-        return f"type({kind.base}){intent}", name
+        return f"type({kind.base}){intent if kind.stars else ', value'}", name
     if kind.stars == 2:
         return "type(c_ptr), intent(inout)", name
     if kind.stars == 0:
@@ -236,6 +218,7 @@ def fortran_module(name: str, head: List[str], uses: List[str], *parts: List[str
     return "\n".join(each for line in lines for each in wrapped(line, "fortran")) + "\n"
 
 
+ARRAYS = {"rc_const_array": "array_in", "rc_array": "array_out"}  # structs that functions take by value
 POINTERS = {"double": "doubles", "float": "singles", "int64_t": "integers", "int32_t": "statuses", "rc_status": "statuses", "uint8_t": "bytes_"}
 
 
@@ -250,6 +233,12 @@ def python_type(kind: Type, interface: Interface) -> str:
     if kind.base in POINTERS:
         return POINTERS[kind.base]
     return ("text" if kind.base == "char" else "handle") + "s" * (kind.stars - 1)
+
+
+def python_argument(kind: Type, interface: Interface) -> str:
+    """Its name in _functions.py, where structs are passed by their address unless C takes them by value."""
+    by_value = kind.base in interface.known and not kind.stars and not interface.callback(kind)
+    return ARRAYS[kind.base] if by_value else python_type(kind, interface)
 
 
 def python_callback(name: str, function: Function, interface: Interface) -> str:
@@ -282,12 +271,12 @@ def python_structs(interface: Interface) -> str:
 
 def python_functions(libraries: Dict[str, Tuple[str, Interface, Dict[str, Function]]]) -> str:
     """libraries: {class: (summary, Interface, its functions and those of others that belong to this library)}"""
-    signatures, classes = [], []
+    signatures, classes = [f"{name} = Annotated[Any, {kind}]" for kind, name in ARRAYS.items()], []
     for title, (summary, interface, functions) in libraries.items():
         classes += ["", "", f"class {title}(Protocol):", f'    """{summary}"""', ""]
         for names in alike(functions):
             function = functions[names[0]]
-            arguments = ", ".join(python_type(kind, interface) for _, kind in function.arguments)
+            arguments = ", ".join(python_argument(kind, interface) for _, kind in function.arguments)
             signature = f"Callable[[{arguments}], {python_type(function.result, interface)}]"
             if len(names) > 1 and len(signature) > 80:
                 signatures += wrapped(f"{names[0]}_like = {signature}", "python")
@@ -416,7 +405,7 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
     ranks = read(["roughcontact/ranks.h"], include, cc, contact)
     every = [*HEADERS["contact"], *HEADERS["surface"], *HEADERS["formats"], *HEADERS["request"], "roughcontact/ranks.h"]
     added = {name: plugin.functions[name] for name in FROM_PLUGIN}
-    known = contact.functions.keys() | surface.functions.keys() | formats.functions.keys() | mpi.functions.keys()
+    known = contact.functions.keys() | ranks.functions.keys() | surface.functions.keys() | formats.functions.keys() | mpi.functions.keys()
     unknown = (SCALARS.keys() | OPTIONAL.keys()) - known
     if unknown:
         sys.exit(f"SCALARS and OPTIONAL name functions that the headers do not have: {', '.join(sorted(unknown))}")
@@ -447,9 +436,9 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
                 f"The structs of {own}, member for member,",
                 "with the values of the RC_..._INIT macros.",
                 "",
-                "Arrays inside structs are c_loc(x) of contiguous target arrays, x fastest: a Fortran array p(nx, ny) has the",
-                "order of the library. A remark after a pointer is its type in C. Callbacks are c_funloc(f) of bind(c)",
-                "procedures. Logical masks of Fortran are no masks of C: integer(c_int8_t), 0 or 1.",
+                "Arrays are rc_const_array(c_loc(x)) and rc_array(c_loc(x)) of contiguous target arrays, x fastest: a Fortran array",
+                "p(nx, ny) has the order of the library; rc_array() is none. A remark after a pointer is its type in C. Callbacks",
+                "are c_funloc(f) of bind(c) procedures. Logical masks of Fortran are no masks of C: integer(c_int8_t), 0 or 1.",
             ],
             ["  use roughcontact_constants"],
             fortran_structs(contact),
@@ -461,8 +450,7 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
                 "units, rules and errors are described there.",
                 "",
                 "Objects (context, options, contact) are type(c_ptr); c_null_ptr where C takes NULL. Names and keys are passed",
-                "as rc_to_c('fft'). Points and components are numbered from 0, as in C. Masks are c_loc of integer(c_int8_t)",
-                "arrays, 0 or 1.",
+                "as rc_to_c('fft'). Points and components are numbered from 0, as in C.",
             ],
             ["  use roughcontact_structs"],
             fortran_functions(contact),

@@ -10,6 +10,23 @@ from typing import Any, Dict, List, NamedTuple, Optional, Set, Tuple, Union
 import pycparser
 from pycparser import c_ast, c_generator
 
+# What a C prototype does not say: pointers to one number. All others are arrays.
+SCALARS = {
+    "rc_version": "major minor patch abi",
+    **dict.fromkeys(("rc_stop_when", "rc_surface_stop_when"), "flag"),
+    "rc_options_get_int": "out",
+    "rc_options_get_real": "out",
+    "rc_contact_points": "n",
+    "rc_conductance": "conductance lower upper",
+    "rc_punch_stiffness": "stiffness lower upper",
+    "rc_law_pressure": "p slope energy",
+    "rc_law_overclosure": "x",
+    "rc_law_gap_conductance": "conductance",
+    "rc_surface_psd": "count",
+    "rc_surface_unit": "metres",
+    **dict.fromkeys(("rc_ranks_rows", "rc_mpi_rows", "rc_mpi_rows_f"), "first count"),
+}
+
 
 class Type(NamedTuple):
     base: str

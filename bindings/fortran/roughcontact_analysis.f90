@@ -19,7 +19,7 @@ contains
 
   ! Area, perimeter, and the area corrected for the grid.
   subroutine rcf_area_measure(p, hx, hy, boundary, area, mask, stat, errmsg)
-    real(c_double), intent(in), contiguous :: p(:, :)
+    real(c_double), intent(in), target, contiguous :: p(:, :)
     type(rc_area), intent(out) :: area
     real(c_double), intent(in) :: hx, hy
     integer(c_int32_t), intent(in) :: boundary
@@ -27,14 +27,14 @@ contains
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     integer(c_int8_t), allocatable, target :: bytes(:, :)
-    type(c_ptr) :: there
+    type(rc_const_array) :: there
     if (.not. mask_fits('rcf_area_measure', p, mask, bytes, there, stat, errmsg)) return
-    call rcf_check(rc_area_measure(grid(p, hx, hy, boundary), p, there, area), stat, errmsg)
+    call rcf_check(rc_area_measure(grid(p, hx, hy, boundary), rcf_in(p), there, area), stat, errmsg)
   end subroutine
 
   ! label(ix, iy): number of the point's patch, from 1 on, 0: no contact. neighbours: 4 (across edges) or 8 (corners as well).
   subroutine rcf_patches_find(p, hx, hy, boundary, patches, label, mask, neighbours, stat, errmsg)
-    real(c_double), intent(in), contiguous :: p(:, :)
+    real(c_double), intent(in), target, contiguous :: p(:, :)
     type(rcf_patch), allocatable, intent(out) :: patches(:)
     integer(c_int64_t), intent(inout), optional, target, contiguous :: label(:, :)
     real(c_double), intent(in) :: hx, hy
@@ -45,7 +45,7 @@ contains
     character(*), intent(inout), optional :: errmsg
     type(rc_patches) :: found
     integer(c_int8_t), allocatable, target :: bytes(:, :)
-    type(c_ptr) :: there
+    type(rc_const_array) :: there
     integer(c_int64_t), allocatable, target :: counts(:, :)
     real(c_double), allocatable, target :: values(:, :)
     integer(rc_status) :: status
@@ -55,21 +55,21 @@ contains
     if (present(label)) then
       if (.not. rcf_extents_fit('rcf_patches_find', 'label', shape(label), size(p, 1, c_int64_t), size(p, 2, c_int64_t), &
         stat, errmsg)) return
-      if (size(label) > 0) found%label = c_loc(label)
+      if (size(label) > 0) found%label%data = c_loc(label)
     end if
     if (present(neighbours)) found%neighbours = neighbours
-    status = rc_patches_find(grid(p, hx, hy, boundary), p, there, found)
+    status = rc_patches_find(grid(p, hx, hy, boundary), rcf_in(p), there, found)
     if (status == RC_OK .and. found%count > 0) then
       found%room = found%count
       allocate (counts(found%count, 2), values(found%count, 5))
-      found%cells = c_loc(counts(1, 1))
-      found%peak = c_loc(counts(1, 2))
-      found%area = c_loc(values(1, 1))
-      found%perimeter = c_loc(values(1, 2))
-      found%load = c_loc(values(1, 3))
-      found%mean_pressure = c_loc(values(1, 4))
-      found%max_pressure = c_loc(values(1, 5))
-      status = rc_patches_find(grid(p, hx, hy, boundary), p, there, found)
+      found%cells%data = c_loc(counts(1, 1))
+      found%peak%data = c_loc(counts(1, 2))
+      found%area%data = c_loc(values(1, 1))
+      found%perimeter%data = c_loc(values(1, 2))
+      found%load%data = c_loc(values(1, 3))
+      found%mean_pressure%data = c_loc(values(1, 4))
+      found%max_pressure%data = c_loc(values(1, 5))
+      status = rc_patches_find(grid(p, hx, hy, boundary), rcf_in(p), there, found)
       if (status == RC_OK) patches = [(rcf_patch(counts(k, 1), counts(k, 2) + 1, values(k, 1), values(k, 2), values(k, 3), &
         values(k, 4), values(k, 5)), k=1, found%count)]
     end if
@@ -80,7 +80,7 @@ contains
   ! counts(k): points with (k - 1) width < p <= k width; density: their share per pressure; upper 0 or absent: the largest
   ! pressure.
   subroutine rcf_histogram_fill(p, counts, density, upper, mask, histogram, stat, errmsg)
-    real(c_double), intent(in), contiguous :: p(:, :)
+    real(c_double), intent(in), target, contiguous :: p(:, :)
     integer(c_int64_t), intent(inout), target, contiguous :: counts(:)
     real(c_double), intent(inout), optional, target, contiguous :: density(:)
     real(c_double), intent(in), optional :: upper
@@ -90,36 +90,36 @@ contains
     character(*), intent(inout), optional :: errmsg
     type(rc_histogram) :: filled
     integer(c_int8_t), allocatable, target :: bytes(:, :)
-    type(c_ptr) :: there
+    type(rc_const_array) :: there
     integer(rc_status) :: status
     if (.not. mask_fits('rcf_histogram_fill', p, mask, bytes, there, stat, errmsg)) return
     filled%bins = size(counts, kind=c_int64_t)
-    if (filled%bins > 0) filled%counts = c_loc(counts)
+    if (filled%bins > 0) filled%counts%data = c_loc(counts)
     if (present(density)) then
       if (size(density) /= size(counts)) then
         call rcf_refuse(RC_ERR_SHAPE, 'rcf_histogram_fill: counts and density have different lengths', stat, errmsg)
         return
       end if
-      if (size(density) > 0) filled%density = c_loc(density)
+      if (size(density) > 0) filled%density%data = c_loc(density)
     end if
     if (present(upper)) filled%upper = upper
-    status = rc_histogram_fill(grid(p, 1.0_c_double, 1.0_c_double, RC_BOUNDARY_FREE), p, there, filled)
+    status = rc_histogram_fill(grid(p, 1.0_c_double, 1.0_c_double, RC_BOUNDARY_FREE), rcf_in(p), there, filled)
     if (present(histogram)) histogram = filled
     call rcf_check(status, stat, errmsg)
   end subroutine
 
   ! Whether contact and gap reach across along x and y: members of crossing are 1 or 0.
   subroutine rcf_crossing_find(p, boundary, crossing, mask, stat, errmsg)
-    real(c_double), intent(in), contiguous :: p(:, :)
+    real(c_double), intent(in), target, contiguous :: p(:, :)
     integer(c_int32_t), intent(in) :: boundary
     type(rc_crossing), intent(out) :: crossing
     logical, intent(in), optional :: mask(:, :)
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     integer(c_int8_t), allocatable, target :: bytes(:, :)
-    type(c_ptr) :: there
+    type(rc_const_array) :: there
     if (.not. mask_fits('rcf_crossing_find', p, mask, bytes, there, stat, errmsg)) return
-    call rcf_check(rc_crossing_find(grid(p, 1.0_c_double, 1.0_c_double, boundary), p, there, crossing), stat, errmsg)
+    call rcf_check(rc_crossing_find(grid(p, 1.0_c_double, 1.0_c_double, boundary), rcf_in(p), there, crossing), stat, errmsg)
   end subroutine
 
   ! Electrical or thermal conductance of a contact of half-spaces, and the interval it lies in. result: with option stiffness 1
@@ -145,7 +145,7 @@ contains
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     integer(c_int8_t), allocatable, target :: bytes(:, :)
-    type(c_ptr) :: there
+    type(rc_const_array) :: there
     if (.not. rcf_masked('rcf_punch_stiffness', mask, system%nx, system%ny, bytes, there, stat, errmsg)) return
     call rcf_check(rc_punch_stiffness(system, there, rcf_or_null(options), stiffness, lower, upper), stat, errmsg)
   end subroutine
@@ -163,7 +163,7 @@ contains
     real(c_double), intent(in) :: p(:, :)
     logical, intent(in), optional :: mask(:, :)
     integer(c_int8_t), allocatable, intent(out), target :: bytes(:, :)
-    type(c_ptr), intent(out) :: there
+    type(rc_const_array), intent(out) :: there
     integer, intent(inout), optional :: stat
     character(*), intent(inout), optional :: errmsg
     fits = rcf_masked(where, mask, size(p, 1, c_int64_t), size(p, 2, c_int64_t), bytes, there, stat, errmsg)

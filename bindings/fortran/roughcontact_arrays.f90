@@ -4,41 +4,47 @@ module roughcontact_arrays
   use roughcontact_functions
   implicit none
   private
-  public :: rcf_gap_from_heights, rcf_address, rcf_masked, rcf_shaped, rcf_extents_fit
+  public :: rcf_gap_from_heights, rcf_in, rcf_out, rcf_masked, rcf_shaped, rcf_extents_fit
 
 contains
 
   ! The undeformed gap of a height map: its highest point touches first, of those where the mask is true.
   function rcf_gap_from_heights(heights, mask) result(undeformed_gap)
-    real(c_double), intent(in) :: heights(:, :)
+    real(c_double), intent(in), target, contiguous :: heights(:, :)
     logical, intent(in), optional :: mask(:, :)
-    real(c_double), allocatable :: undeformed_gap(:, :)
+    real(c_double), allocatable, target :: undeformed_gap(:, :)
     integer(c_int8_t), allocatable, target :: bytes(:, :)
-    type(c_ptr) :: there
+    type(rc_const_array) :: there
     integer(rc_status) :: status
     allocate (undeformed_gap(size(heights, 1), size(heights, 2)))
     call mask_bytes(mask, bytes, there)
-    status = rc_gap_from_heights(size(heights, kind=c_int64_t), heights, there, undeformed_gap)
+    status = rc_gap_from_heights(size(heights, kind=c_int64_t), rcf_in(heights), there, rcf_out(undeformed_gap))
   end function
 
-  ! Where an optional array is; null where it is absent or empty.
-  function rcf_address(x) result(address)
+  ! An optional array as the library reads it; none where it is absent or empty.
+  function rcf_in(x) result(array)
     real(c_double), intent(in), optional, target, contiguous :: x(:, :)
-    type(c_ptr) :: address
-    address = c_null_ptr
+    type(rc_const_array) :: array
     if (.not. present(x)) return
-    if (size(x) > 0) address = c_loc(x)
+    if (size(x) > 0) array%data = c_loc(x)
   end function
 
-  ! A mask as C has it, and where that is; null where it is absent.
+  ! The same as the library writes it.
+  function rcf_out(x) result(array)
+    real(c_double), intent(in), optional, target, contiguous :: x(:, :)
+    type(rc_array) :: array
+    if (.not. present(x)) return
+    if (size(x) > 0) array%data = c_loc(x)
+  end function
+
+  ! A mask as C has it; none where it is absent.
   subroutine mask_bytes(mask, bytes, there)
     logical, intent(in), optional :: mask(:, :)
     integer(c_int8_t), allocatable, intent(out), target :: bytes(:, :)
-    type(c_ptr), intent(out) :: there
-    there = c_null_ptr
+    type(rc_const_array), intent(out) :: there
     if (.not. present(mask)) return
     bytes = merge(1_c_int8_t, 0_c_int8_t, mask)
-    there = c_loc(bytes)
+    there%data = c_loc(bytes)
   end subroutine
 
   ! The same of a mask that must have nx by ny values; if it has not, the failure is reported, and the result is false.
@@ -47,11 +53,10 @@ contains
     logical, intent(in), optional :: mask(:, :)
     integer(c_int64_t), intent(in) :: nx, ny
     integer(c_int8_t), allocatable, intent(out), target :: bytes(:, :)
-    type(c_ptr), intent(out) :: there
+    type(rc_const_array), intent(out) :: there
     integer, intent(inout), optional :: stat
     character(*), intent(inout), optional :: errmsg
     fits = .true.
-    there = c_null_ptr
     if (present(mask)) fits = rcf_extents_fit(where, 'mask', shape(mask), nx, ny, stat, errmsg)
     if (fits) call mask_bytes(mask, bytes, there)
   end function

@@ -132,7 +132,7 @@ contains
     status = rc_contact_level(contact%handle, int(i - 1, c_int64_t), level)
     if (status >= 0 .and. present(p)) then
       allocate (p(level%nx, level%ny))
-      level%p = c_loc(p)
+      level%p%data = c_loc(p)
       status = rc_contact_level(contact%handle, int(i - 1, c_int64_t), level)
     end if
     call rcf_check(status, stat, errmsg)
@@ -141,16 +141,17 @@ contains
   ! The points that carry pressure, from 1 on: p(index(k)) of the pressures as one row, ix = 1 + mod(index(k) - 1, nx).
   subroutine rcf_contact_points(contact, index, p, stat, errmsg)
     type(rcf_contact), intent(in) :: contact
-    integer(c_int64_t), allocatable, intent(out) :: index(:)
-    real(c_double), allocatable, intent(out) :: p(:)
+    integer(c_int64_t), allocatable, intent(out), target :: index(:)
+    real(c_double), allocatable, intent(out), target :: p(:)
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     integer(c_int64_t) :: room, n
     integer(rc_status) :: status
     room = 0
-    status = rc_contact_points(contact%handle, 0_c_int64_t, n=room)
+    status = rc_contact_points(contact%handle, 0_c_int64_t, rc_array(), rc_array(), room)
     allocate (index(room), p(room))
-    if (status >= 0 .and. room > 0) status = rc_contact_points(contact%handle, room, index, p, n)
+    if (status >= 0 .and. room > 0) &
+      status = rc_contact_points(contact%handle, room, rc_array(c_loc(index)), rc_array(c_loc(p)), n)
     index = index + 1
     call rcf_check(status, stat, errmsg)
   end subroutine
@@ -172,11 +173,11 @@ contains
   ! The plastic indentation that the steps so far have left where the pressure was system%hardness [length].
   subroutine rcf_contact_indentation(contact, indentation, stat, errmsg)
     type(rcf_contact), intent(in) :: contact
-    real(c_double), allocatable, intent(out) :: indentation(:, :)
+    real(c_double), allocatable, intent(out), target :: indentation(:, :)
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     allocate (indentation(contact%nx, contact%ny))
-    call rcf_check(rc_contact_indentation(contact%handle, indentation), stat, errmsg)
+    call rcf_check(rc_contact_indentation(contact%handle, rcf_out(indentation)), stat, errmsg)
   end subroutine
 
   ! Goes on after a certified step that this contact or another has solved: its surface, pressures, and approach and load as its
@@ -204,8 +205,8 @@ contains
     if (.not. rcf_shaped(where, 'p', p, contact%nx, contact%ny, stat, errmsg)) return
     if (.not. rcf_shaped(where, 'p_before', p_before, contact%nx, contact%ny, stat, errmsg)) return
     if (.not. rcf_shaped(where, 'indentation', indentation, contact%nx, contact%ny, stat, errmsg)) return
-    state = rc_state(undeformed_gap=rcf_address(undeformed_gap), p=rcf_address(p), approach=approach, load=load, &
-      p_before=rcf_address(p_before), indentation=rcf_address(indentation))
+    state = rc_state(undeformed_gap=rcf_in(undeformed_gap), p=rcf_in(p), approach=approach, load=load, &
+      p_before=rcf_in(p_before), indentation=rcf_in(indentation))
     if (.not. rcf_masked(where, mask, contact%nx, contact%ny, bytes, state%mask, stat, errmsg)) return
     if (present(approach_before)) state%approach_before = approach_before
     if (present(load_before)) state%load_before = load_before

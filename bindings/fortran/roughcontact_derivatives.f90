@@ -27,9 +27,9 @@ contains
     if (.not. rcf_shaped(where, 'dJ_dundeformed_gap', dJ_dundeformed_gap, contact%nx, contact%ny, stat, errmsg)) return
     if (.not. rcf_shaped(where, 'dJ_dp', dJ_dp, contact%nx, contact%ny, stat, errmsg)) return
     if (.not. rcf_shaped(where, 'dJ_dgap', dJ_dgap, contact%nx, contact%ny, stat, errmsg)) return
-    found%dJ_dundeformed_gap = rcf_address(dJ_dundeformed_gap)
-    found%dJ_dp = rcf_address(dJ_dp)
-    found%dJ_dgap = rcf_address(dJ_dgap)
+    found%dJ_dundeformed_gap = rcf_out(dJ_dundeformed_gap)
+    found%dJ_dp = rcf_in(dJ_dp)
+    found%dJ_dgap = rcf_in(dJ_dgap)
     if (present(dJ_dload)) found%dJ_dload = dJ_dload
     if (present(dJ_dapproach)) found%dJ_dapproach = dJ_dapproach
     status = rc_contact_gradient(contact%handle, found)
@@ -52,9 +52,9 @@ contains
     if (.not. rcf_shaped(where, 'dundeformed_gap', dundeformed_gap, contact%nx, contact%ny, stat, errmsg)) return
     if (.not. rcf_shaped(where, 'dp', dp, contact%nx, contact%ny, stat, errmsg)) return
     if (.not. rcf_shaped(where, 'dgap', dgap, contact%nx, contact%ny, stat, errmsg)) return
-    found%dundeformed_gap = rcf_address(dundeformed_gap)
-    found%dp = rcf_address(dp)
-    found%dgap = rcf_address(dgap)
+    found%dundeformed_gap = rcf_in(dundeformed_gap)
+    found%dp = rcf_out(dp)
+    found%dgap = rcf_out(dgap)
     if (present(dtarget)) found%dtarget = dtarget
     if (present(dmodulus)) found%dmodulus = dmodulus
     status = rc_contact_tangent(contact%handle, found)

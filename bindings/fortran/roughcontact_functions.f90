@@ -2,8 +2,7 @@
 ! units, rules and errors are described there.
 !
 ! Objects (context, options, contact) are type(c_ptr); c_null_ptr where C takes NULL. Names and keys are passed
-! as rc_to_c('fft'). Points and components are numbered from 0, as in C. Masks are c_loc of integer(c_int8_t)
-! arrays, 0 or 1.
+! as rc_to_c('fft'). Points and components are numbered from 0, as in C.
 ! Written by scripts/bindings.py.
 module roughcontact_functions
   use roughcontact_structs
@@ -28,9 +27,8 @@ module roughcontact_functions
     end subroutine
     integer(rc_status) function rc_gap_from_heights(n, heights, mask, undeformed_gap) bind(c); import
       integer(c_int64_t), value :: n
-      real(c_double), intent(in) :: heights(*)
-      type(c_ptr), value :: mask
-      real(c_double), intent(inout) :: undeformed_gap(*)
+      type(rc_const_array), value :: heights, mask
+      type(rc_array), value :: undeformed_gap
     end function
     integer(rc_status) function rc_options_create(context, out) bind(c); import
       type(c_ptr), value :: context
@@ -102,8 +100,7 @@ module roughcontact_functions
     integer(rc_status) function rc_contact_points(contact, room, index, p, n) bind(c); import
       type(c_ptr), value :: contact
       integer(c_int64_t), value :: room
-      integer(c_int64_t), intent(inout), optional :: index(*)
-      real(c_double), intent(inout), optional :: p(*)
+      type(rc_array), value :: index, p
       integer(c_int64_t), intent(inout) :: n
     end function
     integer(rc_status) function rc_contact_set_options(contact, options) bind(c); import
@@ -127,7 +124,7 @@ module roughcontact_functions
     end function
     integer(rc_status) function rc_contact_indentation(contact, indentation) bind(c); import
       type(c_ptr), value :: contact
-      real(c_double), intent(inout) :: indentation(*)
+      type(rc_array), value :: indentation
     end function
     integer(rc_status) function rc_contact_restore(contact, state) bind(c); import
       type(c_ptr), value :: contact
@@ -175,34 +172,29 @@ module roughcontact_functions
     subroutine rc_product_destroy(product) bind(c); import
       type(c_ptr), value :: product
     end subroutine
-    integer(rc_status) function rc_product_apply(product, p, p_x, p_y, u, u_x, u_y) bind(c); import
+    integer(rc_status) function rc_product_apply(product, p, u) bind(c); import
       type(c_ptr), value :: product
-      real(c_double), intent(in) :: p(*)
-      integer(c_int64_t), value :: p_x, p_y, u_x, u_y
-      real(c_double), intent(inout) :: u(*)
+      type(rc_const_array), value :: p
+      type(rc_array), value :: u
     end function
     integer(rc_status) function rc_area_measure(system, p, mask, out) bind(c); import
       type(rc_system), intent(in) :: system
-      real(c_double), intent(in) :: p(*)
-      type(c_ptr), value :: mask
+      type(rc_const_array), value :: p, mask
       type(rc_area), intent(inout) :: out
     end function
     integer(rc_status) function rc_patches_find(system, p, mask, out) bind(c); import
       type(rc_system), intent(in) :: system
-      real(c_double), intent(in) :: p(*)
-      type(c_ptr), value :: mask
+      type(rc_const_array), value :: p, mask
       type(rc_patches), intent(inout) :: out
     end function
     integer(rc_status) function rc_histogram_fill(system, p, mask, out) bind(c); import
       type(rc_system), intent(in) :: system
-      real(c_double), intent(in) :: p(*)
-      type(c_ptr), value :: mask
+      type(rc_const_array), value :: p, mask
       type(rc_histogram), intent(inout) :: out
     end function
     integer(rc_status) function rc_crossing_find(system, p, mask, out) bind(c); import
       type(rc_system), intent(in) :: system
-      real(c_double), intent(in) :: p(*)
-      type(c_ptr), value :: mask
+      type(rc_const_array), value :: p, mask
       type(rc_crossing), intent(inout) :: out
     end function
     integer(rc_status) function rc_conductance(system, result, rho1, rho2, conductance, lower, upper) bind(c); import
@@ -214,7 +206,8 @@ module roughcontact_functions
     end function
     integer(rc_status) function rc_punch_stiffness(system, mask, options, stiffness, lower, upper) bind(c); import
       type(rc_system), intent(in) :: system
-      type(c_ptr), value :: mask, options
+      type(rc_const_array), value :: mask
+      type(c_ptr), value :: options
       real(c_double), intent(inout) :: stiffness
       real(c_double), intent(inout), optional :: lower, upper
     end function
@@ -245,8 +238,8 @@ module roughcontact_functions
     integer(rc_status) function rc_law_pressures(law, n, x, p, slope, energy) bind(c); import
       type(c_ptr), value :: law
       integer(c_int64_t), value :: n
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout), optional :: p(*), slope(*), energy(*)
+      type(rc_const_array), value :: x
+      type(rc_array), value :: p, slope, energy
     end function
     integer(rc_status) function rc_law_overclosure(law, p, x) bind(c); import
       type(c_ptr), value :: law

@@ -47,15 +47,15 @@ contains
     history%control = merge(RC_CONTROL_LOAD, RC_CONTROL_APPROACH, present(loads))
     if (present(approaches)) then
       history%n = size(approaches, kind=c_int64_t)
-      if (history%n > 0) history%targets = c_loc(approaches)
+      if (history%n > 0) history%targets%data = c_loc(approaches)
     else
       history%n = size(loads, kind=c_int64_t)
-      if (history%n > 0) history%targets = c_loc(loads)
+      if (history%n > 0) history%targets%data = c_loc(loads)
     end if
     if (present(warm_start)) history%warm_start = merge(1, 0, warm_start)
     if (.not. rcf_shaped(where, 'undeformed_gap', undeformed_gap, contact%nx, contact%ny, stat, errmsg)) return
     if (.not. rcf_masked(where, mask, contact%nx, contact%ny, bytes, history%mask, stat, errmsg)) return
-    history%undeformed_gap = rcf_address(undeformed_gap)
+    history%undeformed_gap = rcf_in(undeformed_gap)
     shortest = int(history%n)
     call place(load, history%columns%load)
     call place(approach, history%columns%approach)
@@ -72,7 +72,7 @@ contains
     call place(certificate, history%columns%certificate)
     if (present(products)) then
       shortest = min(shortest, size(products))
-      if (size(products) > 0) history%columns%products = c_loc(products)
+      if (size(products) > 0) history%columns%products%data = c_loc(products)
     end if
     if (shortest < history%n) then
       call rcf_refuse(RC_ERR_SHAPE, where//': an output array has fewer values than there are steps', stat, errmsg)
@@ -87,12 +87,12 @@ contains
 
   contains
 
-    subroutine place(x, address)
+    subroutine place(x, array)
       real(c_double), intent(inout), optional, target, contiguous :: x(:)
-      type(c_ptr), intent(inout) :: address
+      type(rc_array), intent(inout) :: array
       if (.not. present(x)) return
       shortest = min(shortest, size(x))
-      if (size(x) > 0) address = c_loc(x)
+      if (size(x) > 0) array%data = c_loc(x)
     end subroutine
   end subroutine
 
@@ -137,11 +137,11 @@ contains
     sized%nx = size(undeformed_gap, 1, c_int64_t)
     sized%ny = size(undeformed_gap, 2, c_int64_t)
     batch%control = merge(RC_CONTROL_LOAD, RC_CONTROL_APPROACH, present(loads))
-    batch%targets = merge_address(approaches, loads, targets)
+    batch%targets = merged(approaches, loads, targets)
     n = max(size(undeformed_gap, 3), targets(2))
     batch%n = n
     batch%steps = targets(1)
-    if (size(undeformed_gap) > 0) batch%undeformed_gap = c_loc(undeformed_gap)
+    if (size(undeformed_gap) > 0) batch%undeformed_gap%data = c_loc(undeformed_gap)
     if (size(undeformed_gap, 3) == 1) batch%undeformed_gap_stride = RC_BATCH_SHARED
     if (targets(2) == 1) batch%target_stride = RC_BATCH_SHARED
 
@@ -153,12 +153,12 @@ contains
         misshapen = misshapen//' mask'
       else
         bytes = merge(1_c_int8_t, 0_c_int8_t, mask)
-        batch%mask = c_loc(bytes)
+        batch%mask%data = c_loc(bytes)
         if (size(mask, 3) == 1) batch%mask_stride = RC_BATCH_SHARED
       end if
     end if
-    call pile(p0, 'p0', batch%p0)
-    call pile(p, 'p', batch%p)
+    call pile(p0, 'p0', batch%p0%data)
+    call pile(p, 'p', batch%p%data)
     call place(load, 'load', batch%columns%load)
     call place(approach, 'approach', batch%columns%approach)
     call place(contact_area, 'contact_area', batch%columns%contact_area)
@@ -174,7 +174,7 @@ contains
     call place(certificate, 'certificate', batch%columns%certificate)
     if (present(status)) then
       if (.not. tabled(shape(status))) misshapen = misshapen//' status'
-      if (size(status) > 0) batch%columns%status = c_loc(status)
+      if (size(status) > 0) batch%columns%status%data = c_loc(status)
     end if
     call count_into(iterations, 'iterations', batch%columns%iterations)
     call count_into(products, 'products', batch%columns%products)
@@ -214,36 +214,36 @@ contains
       if (size(x) > 0) address = c_loc(x)
     end subroutine
 
-    subroutine place(x, name, address)
+    subroutine place(x, name, array)
       real(c_double), intent(inout), optional, target, contiguous :: x(:, :)
       character(*), intent(in) :: name
-      type(c_ptr), intent(inout) :: address
+      type(rc_array), intent(inout) :: array
       if (.not. present(x)) return
       if (.not. tabled(shape(x))) misshapen = misshapen//' '//name
-      address = rcf_address(x)
+      array = rcf_out(x)
     end subroutine
 
-    subroutine count_into(x, name, address)
+    subroutine count_into(x, name, array)
       integer(c_int64_t), intent(inout), optional, target, contiguous :: x(:, :)
       character(*), intent(in) :: name
-      type(c_ptr), intent(inout) :: address
+      type(rc_array), intent(inout) :: array
       if (.not. present(x)) return
       if (.not. tabled(shape(x))) misshapen = misshapen//' '//name
-      if (size(x) > 0) address = c_loc(x)
+      if (size(x) > 0) array%data = c_loc(x)
     end subroutine
   end subroutine
 
   ! The one of two optional arrays that is there.
-  function merge_address(a, b, extents) result(address)
+  function merged(a, b, extents) result(array)
     real(c_double), intent(in), optional, target, contiguous :: a(:, :), b(:, :)
     integer, intent(out) :: extents(2)
-    type(c_ptr) :: address
+    type(rc_const_array) :: array
     if (present(a)) then
       extents = shape(a)
-      address = rcf_address(a)
+      array = rcf_in(a)
     else
       extents = shape(b)
-      address = rcf_address(b)
+      array = rcf_in(b)
     end if
   end function
 end module

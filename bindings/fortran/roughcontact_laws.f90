@@ -27,7 +27,7 @@ contains
     law = c_null_ptr
     if (.not. rcf_shaped('rcf_law_create', 'undeformed_gap', undeformed_gap, system%nx, system%ny, stat, errmsg)) return
     wanted = spec
-    wanted%undeformed_gap = c_loc(undeformed_gap)
+    wanted%undeformed_gap%data = c_loc(undeformed_gap)
     call rcf_check(rc_law_create(system, rcf_or_null(options), wanted, law), stat, errmsg)
   end subroutine
 

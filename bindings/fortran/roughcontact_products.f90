@@ -37,12 +37,12 @@ contains
   ! Deflections u(nx, ny) under pressures p(nx, ny) of any sign.
   subroutine rcf_product_apply(product, p, u, stat, errmsg)
     type(rcf_product), intent(in) :: product
-    real(c_double), intent(in), contiguous :: p(:, :)
-    real(c_double), intent(inout), contiguous :: u(:, :)
+    real(c_double), intent(in), target, contiguous :: p(:, :)
+    real(c_double), intent(inout), target, contiguous :: u(:, :)
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     if (.not. rcf_shaped('rcf_product_apply', 'p', p, product%nx, product%ny, stat, errmsg)) return
     if (.not. rcf_shaped('rcf_product_apply', 'u', u, product%nx, product%ny, stat, errmsg)) return
-    call rcf_check(rc_product_apply(product%handle, p, 1_c_int64_t, product%nx, u, 1_c_int64_t, product%nx), stat, errmsg)
+    call rcf_check(rc_product_apply(product%handle, rcf_in(p), rcf_out(u)), stat, errmsg)
   end subroutine
 end module

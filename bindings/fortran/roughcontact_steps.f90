@@ -29,7 +29,7 @@ contains
       return
     end if
     if (.not. rcf_shaped(where, 'undeformed_gap', undeformed_gap, nx, ny, stat, errmsg)) return
-    if (.not. rcf_masked(where, mask, nx, ny, bytes, step%mask%data, stat, errmsg)) return
+    if (.not. rcf_masked(where, mask, nx, ny, bytes, step%mask, stat, errmsg)) return
     if (.not. rcf_shaped(where, 'p0', p0, nx, ny, stat, errmsg)) return
     if (.not. rcf_shaped(where, 'p', p, nx, ny, stat, errmsg)) return
     if (.not. rcf_shaped(where, 'gap', gap, nx, ny, stat, errmsg)) return
@@ -37,10 +37,10 @@ contains
     if (present(approach)) step%target = approach
     if (present(load)) step%target = load
     if (present(warm_start)) step%warm_start = merge(1, 0, warm_start)
-    step%undeformed_gap%data = rcf_address(undeformed_gap)
-    step%p0%data = rcf_address(p0)
-    answer%p%data = rcf_address(p)
-    answer%gap%data = rcf_address(gap)
+    step%undeformed_gap = rcf_in(undeformed_gap)
+    step%p0 = rcf_in(p0)
+    answer%p = rcf_out(p)
+    answer%gap = rcf_out(gap)
     ready = .true.
   end function
 end module

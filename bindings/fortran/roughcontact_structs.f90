@@ -1,9 +1,9 @@
 ! The structs of the headers but surface.h, formats.h, ranks.h, mpi.h and plugin.h, member for member,
 ! with the values of the RC_..._INIT macros.
 !
-! Arrays inside structs are c_loc(x) of contiguous target arrays, x fastest: a Fortran array p(nx, ny) has the
-! order of the library. A remark after a pointer is its type in C. Callbacks are c_funloc(f) of bind(c)
-! procedures. Logical masks of Fortran are no masks of C: integer(c_int8_t), 0 or 1.
+! Arrays are rc_const_array(c_loc(x)) and rc_array(c_loc(x)) of contiguous target arrays, x fastest: a Fortran array
+! p(nx, ny) has the order of the library; rc_array() is none. A remark after a pointer is its type in C. Callbacks
+! are c_funloc(f) of bind(c) procedures. Logical masks of Fortran are no masks of C: integer(c_int8_t), 0 or 1.
 ! Written by scripts/bindings.py.
 module roughcontact_structs
   use roughcontact_constants
@@ -73,20 +73,17 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_columns
-    ! double *
-    type(c_ptr) :: load = c_null_ptr, approach = c_null_ptr, contact_area = c_null_ptr, mean_gap = c_null_ptr, &
-      energy = c_null_ptr, stiffness = c_null_ptr, load_lower = c_null_ptr, load_upper = c_null_ptr, area_lower = c_null_ptr, &
-      area_upper = c_null_ptr, stiffness_lower = c_null_ptr, stiffness_upper = c_null_ptr, certificate = c_null_ptr
-    type(c_ptr) :: iterations = c_null_ptr, products = c_null_ptr  ! int64_t *
-    type(c_ptr) :: status = c_null_ptr  ! rc_status *
+    type(rc_array) :: load = rc_array(), approach = rc_array(), contact_area = rc_array(), mean_gap = rc_array(), &
+      energy = rc_array(), stiffness = rc_array(), load_lower = rc_array(), load_upper = rc_array(), area_lower = rc_array(), &
+      area_upper = rc_array(), stiffness_lower = rc_array(), stiffness_upper = rc_array(), certificate = rc_array(), &
+      iterations = rc_array(), products = rc_array(), status = rc_array()
   end type
 
   type, bind(c) :: rc_history
-    integer(c_size_t) :: struct_size = merge(208, 120, c_intptr_t == 8)
+    integer(c_size_t) :: struct_size = merge(512, 348, c_intptr_t == 8)
     integer(c_int32_t) :: control = 0, warm_start = 1
     integer(c_int64_t) :: n = 0
-    type(c_ptr) :: targets = c_null_ptr, undeformed_gap = c_null_ptr  ! const double *
-    type(c_ptr) :: mask = c_null_ptr  ! const uint8_t *
+    type(rc_const_array) :: targets = rc_const_array(), undeformed_gap = rc_const_array(), mask = rc_const_array()
     type(c_funptr) :: fn = c_null_funptr  ! integer(c_int32_t) function fn(step, result, user) bind(c)
     type(c_ptr) :: user = c_null_ptr  ! void *
     integer(c_int64_t) :: completed = 0
@@ -95,28 +92,26 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_state
-    integer(c_size_t) :: struct_size = merge(80, 56, c_intptr_t == 8)
-    type(c_ptr) :: undeformed_gap = c_null_ptr  ! const double *
-    type(c_ptr) :: mask = c_null_ptr  ! const uint8_t *
-    type(c_ptr) :: p = c_null_ptr  ! const double *
+    integer(c_size_t) :: struct_size = merge(160, 116, c_intptr_t == 8)
+    type(rc_const_array) :: undeformed_gap = rc_const_array(), mask = rc_const_array(), p = rc_const_array()
     real(c_double) :: approach = 0, load = 0
-    type(c_ptr) :: p_before = c_null_ptr  ! const double *
+    type(rc_const_array) :: p_before = rc_const_array()
     real(c_double) :: approach_before = 0, load_before = 0
-    type(c_ptr) :: indentation = c_null_ptr  ! const double *
+    type(rc_const_array) :: indentation = rc_const_array()
   end type
 
   type, bind(c) :: rc_batch
-    integer(c_size_t) :: struct_size = merge(280, 180, c_intptr_t == 8)
+    integer(c_size_t) :: struct_size = merge(616, 432, c_intptr_t == 8)
     integer(c_int32_t) :: control = 0, warm_start = 1
     integer(c_int64_t) :: n = 0, steps = 0
-    type(c_ptr) :: targets = c_null_ptr  ! const double *
+    type(rc_const_array) :: targets = rc_const_array()
     integer(c_int64_t) :: target_stride = 0
-    type(c_ptr) :: undeformed_gap = c_null_ptr  ! const double *
+    type(rc_const_array) :: undeformed_gap = rc_const_array()
     integer(c_int64_t) :: undeformed_gap_stride = 0
-    type(c_ptr) :: mask = c_null_ptr  ! const uint8_t *
+    type(rc_const_array) :: mask = rc_const_array()
     integer(c_int64_t) :: mask_stride = 0
-    type(c_ptr) :: p0 = c_null_ptr  ! const double *
-    type(c_ptr) :: p = c_null_ptr  ! double *
+    type(rc_const_array) :: p0 = rc_const_array()
+    type(rc_array) :: p = rc_array()
     type(c_funptr) :: fn = c_null_funptr  ! integer(c_int32_t) function fn(contact, step, result, user) bind(c)
     type(c_ptr) :: user = c_null_ptr  ! void *
     integer(c_int64_t) :: written = 0, certified = 0, first = -1
@@ -126,8 +121,8 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_level
-    integer(c_size_t) :: struct_size = merge(88, 80, c_intptr_t == 8)
-    type(c_ptr) :: p = c_null_ptr  ! double *
+    integer(c_size_t) :: struct_size = merge(104, 92, c_intptr_t == 8)
+    type(rc_array) :: p = rc_array()
     integer(rc_status) :: status = RC_ERR_ARGUMENT
     integer(c_int32_t) :: reserved = 0
     integer(c_int64_t) :: nx = 0, ny = 0
@@ -136,19 +131,19 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_gradient
-    integer(c_size_t) :: struct_size = merge(88, 72, c_intptr_t == 8)
-    type(c_ptr) :: dJ_dp = c_null_ptr, dJ_dgap = c_null_ptr  ! const double *
+    integer(c_size_t) :: struct_size = merge(136, 108, c_intptr_t == 8)
+    type(rc_const_array) :: dJ_dp = rc_const_array(), dJ_dgap = rc_const_array()
     real(c_double) :: dJ_dload = 0, dJ_dapproach = 0
-    type(c_ptr) :: dJ_dundeformed_gap = c_null_ptr  ! double *
+    type(rc_array) :: dJ_dundeformed_gap = rc_array()
     real(c_double) :: dJ_dtarget = 0, dJ_dmodulus = 0, error = 0
     integer(c_int64_t) :: undecided = 0, products = 0
   end type
 
   type, bind(c) :: rc_tangent
-    integer(c_size_t) :: struct_size = merge(88, 72, c_intptr_t == 8)
-    type(c_ptr) :: dundeformed_gap = c_null_ptr  ! const double *
+    integer(c_size_t) :: struct_size = merge(136, 108, c_intptr_t == 8)
+    type(rc_const_array) :: dundeformed_gap = rc_const_array()
     real(c_double) :: dtarget = 0, dmodulus = 0
-    type(c_ptr) :: dp = c_null_ptr, dgap = c_null_ptr  ! double *
+    type(rc_array) :: dp = rc_array(), dgap = rc_array()
     real(c_double) :: dload = 0, dapproach = 0, error = 0
     integer(c_int64_t) :: undecided = 0, products = 0
   end type
@@ -169,23 +164,19 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_patches
-    integer(c_size_t) :: struct_size = merge(96, 60, c_intptr_t == 8)
+    integer(c_size_t) :: struct_size = merge(224, 156, c_intptr_t == 8)
     integer(c_int32_t) :: neighbours = 4, reserved = 0
     integer(c_int64_t) :: room = 0
-    type(c_ptr) :: label = c_null_ptr, cells = c_null_ptr  ! int64_t *
-    ! double *
-    type(c_ptr) :: area = c_null_ptr, perimeter = c_null_ptr, load = c_null_ptr, mean_pressure = c_null_ptr, &
-      max_pressure = c_null_ptr
-    type(c_ptr) :: peak = c_null_ptr  ! int64_t *
+    type(rc_array) :: label = rc_array(), cells = rc_array(), area = rc_array(), perimeter = rc_array(), load = rc_array(), &
+      mean_pressure = rc_array(), max_pressure = rc_array(), peak = rc_array()
     integer(c_int64_t) :: count = 0
   end type
 
   type, bind(c) :: rc_histogram
-    integer(c_size_t) :: struct_size = merge(80, 68, c_intptr_t == 8)
+    integer(c_size_t) :: struct_size = merge(112, 92, c_intptr_t == 8)
     integer(c_int64_t) :: bins = 0
     real(c_double) :: upper = 0
-    type(c_ptr) :: counts = c_null_ptr  ! int64_t *
-    type(c_ptr) :: density = c_null_ptr  ! double *
+    type(rc_array) :: counts = rc_array(), density = rc_array()
     real(c_double) :: width = 0
     integer(c_int64_t) :: contacts = 0, above = 0
     real(c_double) :: mean_pressure = 0, max_pressure = 0
@@ -197,9 +188,8 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_law_spec
-    integer(c_size_t) :: struct_size = merge(104, 84, c_intptr_t == 8)
-    type(c_ptr) :: undeformed_gap = c_null_ptr  ! const double *
-    type(c_ptr) :: mask = c_null_ptr  ! const uint8_t *
+    integer(c_size_t) :: struct_size = merge(136, 108, c_intptr_t == 8)
+    type(rc_const_array) :: undeformed_gap = rc_const_array(), mask = rc_const_array()
     real(c_double) :: area = 0, p_lower = 0, p_upper = 0, tolerance = 0.001_c_double, tolerance_conductance = 0
     integer(c_int32_t) :: bulk = 0, reserved = 0
     real(c_double) :: bulk_stiffness = 0

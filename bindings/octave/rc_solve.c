@@ -93,13 +93,13 @@ static char* remarks_of(const Request* request) {
   return *text ? strcpy(mxMalloc(strlen(text) + 1), text) : NULL;
 }
 
-/* p0 (may be NULL) has nx*ny values, as has p; gap may be NULL. */
-static rc_status solve(Request* request, const double* p0, double* p, double* gap, rc_result* result) {
+/* p has nx*ny values; gap may be NULL. */
+static rc_status solve(Request* request, rc_const_array p0, double* p, double* gap, rc_result* result) {
   const rc_system* system = &request->view.system;
   const char* const loading = request->view.loading;
   const int64_t n = system->nx * system->ny;
   double* undeformed_gap = mxMalloc((size_t)n * sizeof *undeformed_gap + 1);
-  rc_status status = rc_gap_from_heights(n, request->view.heights, request->view.mask, undeformed_gap);
+  rc_status status = rc_gap_from_heights(n, RC_IN(request->view.heights), RC_IN(request->view.mask), RC_OUT(undeformed_gap));
   if (status != RC_OK) return keep_message(request, status);
   rc_step step = RC_STEP_INIT;
   step.control = !strcmp(loading, "approach")   ? RC_CONTROL_APPROACH
@@ -107,12 +107,12 @@ static rc_status solve(Request* request, const double* p0, double* p, double* ga
                  : !strcmp(loading, "pressure") ? RC_CONTROL_PRESSURE
                                                 : RC_CONTROL_AREA;
   step.target = request->view.targets[0] * (step.control == RC_CONTROL_AREA ? (double)n * system->hx * system->hy : 1);
-  step.undeformed_gap.data = undeformed_gap;
-  step.mask.data = request->view.mask;
-  step.p0.data = p0;
+  step.undeformed_gap = RC_IN(undeformed_gap);
+  step.mask = RC_IN(request->view.mask);
+  step.p0 = p0;
   *result = (rc_result)RC_RESULT_INIT;
-  result->p.data = p;
-  result->gap.data = gap;
+  result->p = RC_OUT(p);
+  result->gap = RC_OUT(gap);
 
   rc_contact* contact = NULL;
   status = rc_contact_create(system, request->options, &contact);
@@ -124,7 +124,7 @@ static rc_status solve(Request* request, const double* p0, double* p, double* ga
   if (status >= 0) rc_contact_accuracy(contact, &request->accuracy);
   if (status == RC_OK && request->asks_gradient) {
     request->by_gap = mxCreateDoubleMatrix((size_t)system->nx, (size_t)system->ny, mxREAL);
-    request->gradient.dJ_dundeformed_gap = mxGetPr(request->by_gap);
+    request->gradient.dJ_dundeformed_gap = RC_OUT(mxGetPr(request->by_gap));
     const rc_status found = keep_message(request, rc_contact_gradient(contact, &request->gradient));
     if (found != RC_OK && found != RC_STOP_STALLED) status = found;
   }
@@ -238,10 +238,10 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
   request.map.nx = (int64_t)nx;
   request.map.ny = (int64_t)ny;
   request.map.heights = matrix(&request, "z", prhs[0]);
-  const double* p0 = NULL;
+  rc_const_array p0 = {0};
   const struct {
     const char* name;
-    const double** to;
+    rc_const_array* to;
   } fields[] = {{"p0", &p0}, {"dJ_dp", &request.gradient.dJ_dp}, {"dJ_dgap", &request.gradient.dJ_dgap}};
   if (!mxIsStruct(prhs[1]) || mxGetNumberOfElements(prhs[1]) != 1)
     check(&request, refuse(&request, RC_ERR_ARGUMENT, "opts must be a struct"));
@@ -256,7 +256,7 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
     } else if (value && which < 3) {
       char name[16];
       snprintf(name, sizeof name, "opts.%s", field);
-      *fields[which].to = matrix(&request, name, value);
+      *fields[which].to = RC_IN(matrix(&request, name, value));
       if (mxGetM(value) != nx || mxGetN(value) != ny)
         check(&request, refuse(&request, RC_ERR_SHAPE, "%s must have the shape of z", name));
     } else {

@@ -39,7 +39,7 @@ ContactLaw::ContactLaw(const rc_system& system, const std::vector<double>& heigh
 
 void ContactLaw::tabulate(double p_lower, double p_upper, double tolerance) {
   rc_law_spec spec = RC_LAW_SPEC_INIT;
-  spec.undeformed_gap = gap_.data();
+  spec.undeformed_gap = RC_IN(gap_.data());
   spec.p_lower = p_lower;
   spec.p_upper = p_upper;
   spec.tolerance = tolerance;
@@ -73,12 +73,12 @@ ContactLaw::Answer ContactLaw::press(double approach) {
   step.control = RC_CONTROL_APPROACH;
   step.warm_start = 0;
   step.target = approach;
-  step.undeformed_gap.data = gap->data();
+  step.undeformed_gap = RC_IN(gap->data());
   step.borrow = 1;  // it stays where it is until the next step
-  step.p0.data = state_.pressures.empty() ? nullptr : state_.pressures.data();
+  step.p0 = RC_IN(state_.pressures.empty() ? nullptr : state_.pressures.data());
   trial_.pressures.resize(gap_.size());
   rc_result result = RC_RESULT_INIT;
-  result.p.data = trial_.pressures.data();
+  result.p = RC_OUT(trial_.pressures.data());
   check(rc_contact_solve(contact_.get(), &step, &result));
   return {result.load, result.stiffness, result.contact_area};
 }
@@ -98,7 +98,7 @@ ContactLaw::Answer ContactLaw::evaluate(double displacement) {
   if (system_.hardness == 0) return solve(displacement);
   const auto indent = [this](double deepest) {  // by the step that has been solved
     std::vector<double> indentation(gap_.size());
-    check(rc_contact_indentation(contact_.get(), indentation.data()));
+    check(rc_contact_indentation(contact_.get(), RC_OUT(indentation.data())));
     trial_.indentation = state_.indentation;
     trial_.indentation.resize(gap_.size());
     for (std::size_t i = 0; i < gap_.size(); ++i) trial_.indentation[i] += indentation[i];

@@ -19,33 +19,33 @@ typedef struct rc_area {
 } rc_area;
 #define RC_AREA_INIT RC_BEGIN(rc_area)
 
-/** Connected parts of a contact, by rc_patches_find. The caller sets neighbours, room and the arrays, which may be
- *  NULL. Patches are numbered from 0 by their lowest point number, whatever their size. */
+/** Connected parts of a contact, by rc_patches_find. The caller sets neighbours, room and the arrays, each of which may
+ *  be none. Patches are numbered from 0 by their lowest point number, whatever their size. */
 typedef struct rc_patches {
   size_t struct_size;
   int32_t neighbours;   /* 4: points are connected across edges; 8: across corners as well                           */
   int32_t reserved;     /* 0                                                                                         */
   int64_t room;         /* length of the arrays from `cells` to `peak`: the first `room` patches are written         */
-  int64_t *label;       /* out [nx*ny] number of the patch; -1: no contact                                           */
-  int64_t *cells;       /* out, points of the patch                                                                  */
-  double *area;         /* out, cells hx hy [length^2]                                                               */
-  double *perimeter;    /* out [length], as rc_area.perimeter                                                        */
-  double *load;         /* out, hx hy sum(p) [force]                                                                 */
-  double *mean_pressure; /* out, load / area [force/length^2]                                                        */
-  double *max_pressure; /* out [force/length^2]                                                                      */
-  int64_t *peak;        /* out, the point with max_pressure, of equal ones the first                                 */
+  rc_array label;       /* out, int64_t [nx*ny]: number of the patch; -1: no contact                                 */
+  rc_array cells;       /* out, int64_t: points of the patch                                                         */
+  rc_array area;        /* out, double: cells hx hy [length^2]                                                       */
+  rc_array perimeter;   /* out, double [length], as rc_area.perimeter                                                */
+  rc_array load;        /* out, double: hx hy sum(p) [force]                                                         */
+  rc_array mean_pressure; /* out, double: load / area [force/length^2]                                               */
+  rc_array max_pressure; /* out, double [force/length^2]                                                             */
+  rc_array peak;        /* out, int64_t: the point with max_pressure, of equal ones the first                        */
   int64_t count;        /* out: patches, also those beyond room                                                      */
 } rc_patches;
 #define RC_PATCHES_INIT RC_BEGIN_WITH(rc_patches, neighbours = 4)
 
 /** Distribution of pressure over the points in contact, by rc_histogram_fill. The caller sets bins, upper and the
- *  arrays, which may be NULL. Bin k holds the pressures k width < p <= (k + 1) width, to round-off. */
+ *  arrays, each of which may be none. Bin k holds the pressures k width < p <= (k + 1) width, to round-off. */
 typedef struct rc_histogram {
   size_t struct_size;
   int64_t bins;         /* 1 .. 2^40                                                                                 */
   double upper;         /* end of the last bin [force/length^2]; 0: the largest pressure                             */
-  int64_t *counts;      /* out [bins] points; their sum and `above` are `contacts`                                   */
-  double *density;      /* out [bins] share of the contact per pressure: counts / (contacts width)
+  rc_array counts;      /* out, int64_t [bins] points; their sum and `above` are `contacts`                          */
+  rc_array density;     /* out, double [bins]: share of the contact per pressure: counts / (contacts width)
                            [length^2/force]; width sum(density) + above / contacts = 1. Times contacts / (nx*ny):
                            share of all points. 0 without contact                                                    */
   double width;         /* out, of a bin [force/length^2]: edges are at k width, k = 0 .. bins                       */
@@ -67,9 +67,9 @@ typedef struct rc_crossing {
 /** @defgroup analysis Analysis: area, patches, histogram, percolation
  *  Functions of pressures, the caller's or a result's, without handles; any thread. Of the system they use nx, ny, hx, hy and the
  *  boundary: RC_BOUNDARY_PERIODIC joins opposite sides of the grid, _X and _Y those of their axis. For DENSE and CALLBACK
- *  the points are taken as a free grid of nx by ny. p [nx*ny]: >= 0; a point is in contact where p > 0. mask [nx*ny]: 0: not in
- *  contact, its p is ignored (it may be NaN); NULL: all points. Nothing is written by a call that fails. The same bits in every
- *  run.
+ *  the points are taken as a free grid of nx by ny. p, double [nx*ny]: >= 0; a point is in contact where p > 0. mask, uint8_t
+ *  [nx*ny]: 0: not in contact, its p is ignored (it may be NaN); none: all points. Nothing is written by a call that fails. The
+ *  same bits in every run.
  *  Errors: ARGUMENT (null, NaN or negative p, the struct's own limits), SHAPE (nx, ny), MEMORY.
  *  @{ */
 /** Area, perimeter, and the area corrected for the grid: cells that touch in part carry pressure as well, so that the area of a
@@ -78,18 +78,18 @@ typedef struct rc_crossing {
  *  at the border of a free grid and of the mask are left out: there the body ends, not the contact.
  *  The corrected area is between 0.527 and 1 times the area. It is meaningful if patches are several cells wide, not for
  *  single cells (0.527 cells each) or a checkerboard, and cells that were chosen by their centres need no correction. */
-RC_API rc_status rc_area_measure(const rc_system *system, const double *p, const uint8_t *mask, rc_area *out);
+RC_API rc_status rc_area_measure(const rc_system *system, rc_const_array p, rc_const_array mask, rc_area *out);
 /** Connected parts of the contact, in time proportional to the points. Memory: 40 bytes for each row of neighbouring cells in
  *  contact, and 56 for each patch. */
-RC_API rc_status rc_patches_find(const rc_system *system, const double *p, const uint8_t *mask, rc_patches *out);
+RC_API rc_status rc_patches_find(const rc_system *system, rc_const_array p, rc_const_array mask, rc_patches *out);
 /** Pressure histogram. Sums to 1 with `above`, see rc_histogram. */
-RC_API rc_status rc_histogram_fill(const rc_system *system, const double *p, const uint8_t *mask, rc_histogram *out);
+RC_API rc_status rc_histogram_fill(const rc_system *system, rc_const_array p, rc_const_array mask, rc_histogram *out);
 /** Percolation of contact and gap. A connected part crosses along an axis if it touches both sides of the grid at the ends of this
  *  axis. These two sides are never joined, whatever the boundary: they are the inlet and the outlet of a seal. The other two sides
  *  are joined if the boundary repeats along the other axis, so a channel may leave at one and come back at the other. Points are
  *  connected across edges; a masked point is neither contact nor gap. Memory: 32 bytes for each row of neighbouring cells in
  *  contact, or of those without. */
-RC_API rc_status rc_crossing_find(const rc_system *system, const double *p, const uint8_t *mask, rc_crossing *out);
+RC_API rc_status rc_crossing_find(const rc_system *system, rc_const_array p, rc_const_array mask, rc_crossing *out);
 /** Electrical or thermal conductance of the contact between two half-spaces: 2 / (E* (rho1 + rho2)) dW/dd (Barber, Proc. R. Soc.
  *  Lond. A 459 (2003) 53). For a circular spot that is Holm's 4 radius / (rho1 + rho2). system: HALFSPACE, its modulus counts.
  *  result: of a step with option stiffness = 1 or 2, and with rc_result.homogeneous = 1: the relation holds for homogeneous
@@ -103,15 +103,15 @@ RC_API rc_status rc_conductance(const rc_system *system, const rc_result *result
 /** @} */
 
 /** @defgroup punch Flat punch on given points  @{ */
-/** dW/dd of a rigid flat punch that touches exactly the points where mask [nx*ny] is not 0 (NULL: all): hx hy times the sum of
- *  the pressures x with H x = 1 on these points, which may pull; a hardness does not count. Any operator, boundary and kernel.
+/** dW/dd of a rigid flat punch that touches exactly the points where mask, uint8_t [nx*ny], is not 0 (none: all): hx hy times the
+ *  sum of the pressures x with H x = 1 on these points, which may pull; a hardness does not count. Any operator, boundary, kernel.
  *  A contact whose points below the hardness are these has this rc_result.stiffness, and it grows with the set. *stiffness
  *  [force/length]: to option tol of its value or closer, see rc_result.stiffness; 0 without points. Periodic: infinite for all
  *  points, finite for fewer. *lower, *upper (NULL: not wanted): the exact one lies between them; NaN where no bound of H's
  *  eigenvalues is known. options may be NULL; those of products and operators, tol, threads and time_limit are used. Status:
  *  RC_STOP_STALLED: written, round-off may keep a larger error, which the interval counts. RC_STOP_TIME: nothing is written.
  *  Errors: as rc_contact_create. */
-RC_API rc_status rc_punch_stiffness(const rc_system *system, const uint8_t *mask, const rc_options *options, double *stiffness,
+RC_API rc_status rc_punch_stiffness(const rc_system *system, rc_const_array mask, const rc_options *options, double *stiffness,
                                     double *lower, double *upper);
 /** @} */
 

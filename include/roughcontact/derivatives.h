@@ -31,15 +31,15 @@ extern "C" {
  *  @{ */
 
 /** Reverse mode: the derivatives of one number J that is computed from the step's answer. The caller sets how J changes with each
- *  part of the answer, and gets how it changes with each datum. If dJ_dp and dJ_dgap are NULL and dJ_dload and dJ_dapproach 0, J is
+ *  part of the answer, and gets how it changes with each datum. If dJ_dp and dJ_dgap are none and dJ_dload and dJ_dapproach 0, J is
  *  the load in approach control, and the approach in load control. */
 typedef struct rc_gradient {
   size_t struct_size;
-  const double *dJ_dp;   /* [n] by the pressures; NULL: 0                                                            */
-  const double *dJ_dgap; /* [n] by the deformed gap; NULL: 0                                                         */
+  rc_const_array dJ_dp;  /* double [n] by the pressures; none: 0                                                     */
+  rc_const_array dJ_dgap; /* double [n] by the deformed gap; none: 0                                                 */
   double dJ_dload;       /* by the load hx hy sum(p)                                                                 */
   double dJ_dapproach;   /* by the approach                                                                          */
-  double *dJ_dundeformed_gap; /* out [n]; NULL: not wanted                                                           */
+  rc_array dJ_dundeformed_gap; /* out, double [n]; none: not wanted                                                  */
   double dJ_dtarget;     /* out: by the approach in approach control, else by the load                           */
   double dJ_dmodulus;    /* out; NaN where the system has no modulus                                                 */
   double error;          /* out: the Euclidean norm of the error that the solves leave in dJ_dundeformed_gap is at
@@ -53,11 +53,11 @@ typedef struct rc_gradient {
 /** Forward mode: how the answer changes with given changes of the data. */
 typedef struct rc_tangent {
   size_t struct_size;
-  const double *dundeformed_gap; /* [n] change of the undeformed gap [length]; NULL: 0                               */
+  rc_const_array dundeformed_gap; /* double [n] change of the undeformed gap [length]; none: 0                       */
   double dtarget;        /* of the approach [length], or in load control of the load [force]                         */
   double dmodulus;       /* of E* [force/length^2]; must be 0 where the system has no modulus                        */
-  double *dp;            /* out [n] change of the pressures [force/length^2]; NULL: not wanted                       */
-  double *dgap;          /* out [n] of the deformed gap [length], 0 at points in contact; NULL: not wanted, which
+  rc_array dp;           /* out, double [n]: change of the pressures [force/length^2]; none: not wanted              */
+  rc_array dgap;         /* out, double [n]: of the deformed gap [length], 0 at points in contact; none: not wanted, which
                             saves a product over all points                                                          */
   double dload;          /* out [force]                                                                              */
   double dapproach;      /* out [length]                                                                             */

@@ -1,4 +1,5 @@
-/* roughcontact: the algorithms of Bemporad & Paggi (2015) on a matrix of the caller's, one call each. */
+/* roughcontact: the algorithms of Bemporad & Paggi (2015) on a matrix of the caller's, one call each. Arrays are plain pointers, as
+ * in LAPACK, whose layout of matrices they share. */
 #ifndef ROUGHCONTACT_DIRECT_H
 #define ROUGHCONTACT_DIRECT_H
 

@@ -5,8 +5,9 @@
  * heights increase towards the other body, x fastest, point (ix, iy) at index iy*nx + ix.
  *
  * Functions that return an rc_status return RC_OK or a negative one, with the text in rc_surface_read_last_error(). All of them
- * are thread-safe, keep nothing and print nothing. What they write to is written only if RC_OK is returned. Sized structs: see
- * roughcontact.h. The memory for a file is limited by its size, not by its header.
+ * are thread-safe, keep nothing and print nothing. What they write to is written only if RC_OK is returned; arrays are
+ * plain pointers, as this library fills the host's memory alone. Sized structs: see roughcontact.h. The memory for a file is
+ * limited by its size, not by its header.
  *
  * In builds that read HDF5, calls on such files use libhdf5 one at a time. Its handler of errors and H5PLset_loading_state are as
  * before when a call returns; meanwhile it prints nothing and loads no plugin, in no thread. If libhdf5 is not built for threads

@@ -14,22 +14,22 @@ extern "C" {
  *  nonzero to end the history. Must return: no exception, no longjmp. */
 typedef int32_t (*rc_history_fn)(int64_t step, const rc_result *result, void *user);
 
-/** Numbers of steps: of each that a caller wants, an array with one value a step. NULL: not wanted. */
+/** Numbers of steps: of each that a caller wants, an array with one value a step, double unless said otherwise. */
 typedef struct rc_columns {
-  double *load;         /* out [force]                                                                               */
-  double *approach;     /* out [length]                                                                              */
-  double *contact_area; /* out [length^2]                                                                            */
-  double *mean_gap;     /* out [length]; if not NULL, g is computed at all points, as for a gap that is wanted       */
-  double *energy;       /* out [force length]                                                                        */
-  double *stiffness;    /* out, dW/dd [force/length]; if not NULL it is computed, whatever option stiffness is       */
-  double *load_lower, *load_upper; /* out, proven interval as in rc_result [force]; if one of these six outputs is not NULL,
+  rc_array load;        /* out [force]                                                                               */
+  rc_array approach;    /* out [length]                                                                              */
+  rc_array contact_area; /* out [length^2]                                                                            */
+  rc_array mean_gap;    /* out [length]; if wanted, g is computed at all points, as for a gap that is wanted       */
+  rc_array energy;      /* out [force length]                                                                        */
+  rc_array stiffness;   /* out, dW/dd [force/length]; if wanted it is computed, whatever option stiffness is       */
+  rc_array load_lower, load_upper; /* out, proven interval as in rc_result [force]; if one of these six outputs is wanted,
                            intervals are proven, whatever option bounds is                                           */
-  double *area_lower, *area_upper; /* out [length^2]                                                                 */
-  double *stiffness_lower, *stiffness_upper; /* out [force/length]; if one is not NULL, option stiffness counts as 2 */
-  double *certificate;  /* out, the largest kkt_* residual                                                           */
-  int64_t *iterations;  /* out, of the solver                                                                        */
-  int64_t *products;    /* out, products with H                                                                      */
-  rc_status *status;    /* out                                                                                       */
+  rc_array area_lower, area_upper; /* out [length^2]                                                                 */
+  rc_array stiffness_lower, stiffness_upper; /* out [force/length]; if one is wanted, option stiffness counts as 2 */
+  rc_array certificate; /* out, the largest kkt_* residual                                                           */
+  rc_array iterations;  /* out, int64_t: of the solver                                                                     */
+  rc_array products;    /* out, int64_t: products with H                                                                   */
+  rc_array status;      /* out, rc_status                                                                       */
 } rc_columns;
 
 /** A loading history: increasing, decreasing or mixed. Arrays of length n. */
@@ -39,13 +39,13 @@ typedef struct rc_history {
   int32_t warm_start;   /* 1: each step starts from the pressures of the one before, projected onto the points
                            that the new approach can reach (default); 0: each step starts cold                       */
   int64_t n;            /* steps                                                                                     */
-  const double *targets; /* of the control, as rc_step.target                                                        */
-  const double *undeformed_gap; /* as rc_step.undeformed_gap, for all steps                                          */
-  const uint8_t *mask;  /* as rc_step.mask                                                                           */
+  rc_const_array targets; /* double [n] of the control, as rc_step.target                                            */
+  rc_const_array undeformed_gap; /* as rc_step.undeformed_gap, for all steps; in the host's memory                   */
+  rc_const_array mask;  /* as rc_step.mask; in the host's memory                                                     */
   rc_history_fn fn;     /* sees each completed step's result with pressures and gap; NULL: none                      */
   void *user;           /* handed to fn                                                                              */
   int64_t completed;    /* out: steps whose outputs are written; certified, or within goal                           */
-  int32_t want_gap;     /* 1: fn sees the deformed gap (default); 0: its result->gap is NULL, so that sparse contact
+  int32_t want_gap;     /* 1: fn sees the deformed gap (default); 0: its result->gap is none, so that sparse contact
                            costs no product over the whole grid                                                      */
   int32_t virgin;       /* 0: with a hardness, each step presses the surface as the steps before it left it (default); 1: each
                            presses the surface as it is before the first step, and the history leaves no indentation:
@@ -64,8 +64,9 @@ RC_API rc_status rc_contact_solve_history(rc_contact *contact, rc_history *histo
 /** The plastic indentation that the contact's steps have left [n]: the sum over all steps with RC_OK of the overlap -g where
  *  p = rc_system.hardness [length]; zeros before the first such step and without a hardness. The next step adds it to
  *  rc_step.undeformed_gap, also to one that is given anew: give the surface as it was before the first step. A failed, stopped
- *  or refused step and rc_contact_certify leave it as it is; rc_contact_reset forgets it. Errors: ARGUMENT, BUSY. */
-RC_API rc_status rc_contact_indentation(rc_contact *contact, double *indentation);
+ *  or refused step and rc_contact_certify leave it as it is; rc_contact_reset forgets it. indentation: double [n].
+ *  Errors: ARGUMENT, BUSY. */
+RC_API rc_status rc_contact_indentation(rc_contact *contact, rc_array indentation);
 /** @} */
 
 /** @defgroup restart Restart  @{ */
@@ -73,14 +74,14 @@ RC_API rc_status rc_contact_indentation(rc_contact *contact, double *indentation
  *  RC_WITHIN_GOAL. All of it is copied. */
 typedef struct rc_state {
   size_t struct_size;
-  const double *undeformed_gap; /* [n] of the last step [length]                                                     */
-  const uint8_t *mask;  /* [n] its mask; NULL: all points                                                            */
-  const double *p;      /* [n] its pressures [force/length^2]; NULL: there was no such step                          */
+  rc_const_array undeformed_gap; /* double [n] of the last step [length]                                             */
+  rc_const_array mask;  /* uint8_t [n] its mask; none: all points                                                    */
+  rc_const_array p;     /* double [n] its pressures [force/length^2]; none: there was no such step                   */
   double approach;      /* rc_result.approach [length]                                                               */
   double load;          /* rc_result.load [force]                                                                    */
-  const double *p_before; /* [n] the same of the step before it; NULL: none, or its surface was another              */
+  rc_const_array p_before; /* double [n] the same of the step before it; none: no such step, or its surface was another */
   double approach_before, load_before;
-  const double *indentation; /* [n] of rc_contact_indentation after its last step, >= 0 [length]; NULL: none          */
+  rc_const_array indentation; /* double [n] of rc_contact_indentation after its last step, >= 0 [length]; none: zeros */
 } rc_state;
 #define RC_STATE_INIT RC_BEGIN(rc_state)
 
@@ -112,14 +113,15 @@ typedef struct rc_batch {
   int32_t warm_start;   /* as in rc_history, from a contact's second step on                                            */
   int64_t n;            /* contacts                                                                                  */
   int64_t steps;        /* of each history                                                                           */
-  const double *targets; /* of the control, as rc_step.target; step k of contact i at i*target_stride + k            */
-  int64_t target_stride; /* 0: steps; RC_BATCH_SHARED; else >= steps                                                 */
-  const double *undeformed_gap; /* as rc_step.undeformed_gap; point m of contact i at i*undeformed_gap_stride + m    */
+  rc_const_array targets; /* double: of the control, as rc_step.target; step k of contact i at i*target_stride + k   */
+  int64_t target_stride; /* in values, as all strides. 0: steps; RC_BATCH_SHARED; else >= steps                      */
+  rc_const_array undeformed_gap; /* as rc_step.undeformed_gap, in the host's memory, as the other arrays; point m of contact i
+                           at i*undeformed_gap_stride + m                                                            */
   int64_t undeformed_gap_stride; /* 0: nx*ny; RC_BATCH_SHARED; else >= nx*ny                                         */
-  const uint8_t *mask;  /* as rc_step.mask; point m of contact i at i*mask_stride + m; NULL: all points              */
+  rc_const_array mask;  /* as rc_step.mask; point m of contact i at i*mask_stride + m; none: all points              */
   int64_t mask_stride;  /* as undeformed_gap_stride                                                                  */
-  const double *p0;     /* [n*nx*ny] as rc_step.p0, for the first step of each contact; may be p; NULL: none         */
-  double *p;            /* out [n*nx*ny] pressures of a contact's last step with status >= 0 [force/length^2];
+  rc_const_array p0;    /* [n*nx*ny] as rc_step.p0, for the first step of each contact; may be p; none: no such start */
+  rc_array p;           /* out [n*nx*ny] pressures of a contact's last step with status >= 0 [force/length^2];
                            untouched for a contact that has none                                                     */
   rc_batch_fn fn;       /* sees each step's result with pressures and gap; NULL: none                                */
   void *user;           /* handed to fn and progress                                                                 */
@@ -139,7 +141,7 @@ typedef struct rc_batch {
 /** Solves the history of every contact, each as by an rc_contact of its own and rc_contact_solve_history: the same bits, whatever
  *  the number of threads. A solver that takes many contacts at once ("haar-cuda") gives other bits than contacts of their own,
  *  with the same certificate; they do not depend on the number of threads and contacts either. It is used if fn and the columns
- *  from mean_gap to stiffness_upper are NULL, virgin is 0 and control is not RC_CONTROL_AREA.
+ *  from mean_gap to stiffness_upper are not wanted, all arrays are doubles, virgin is 0 and control is not RC_CONTROL_AREA.
  *  Option threads: contacts that are solved at the same time, each by one thread; fewer if the system refuses threads.
  *  Option time_limit: seconds for the whole batch. options may be NULL. A CALLBACK system's apply is called from several threads
  *  at the same time. All threads have ended when the call returns.
@@ -156,7 +158,7 @@ RC_API rc_status rc_batch_solve(const rc_system *system, const rc_options *optio
 /** A solution on a coarser grid that a multilevel solver left behind. The caller sets p. */
 typedef struct rc_level {
   size_t struct_size;
-  double *p;            /* [nx*ny] pressures [force/length^2]; NULL: not wanted. Ask for nx and ny first             */
+  rc_array p;           /* double [nx*ny] pressures [force/length^2]; none: not wanted. Ask for nx and ny first      */
   rc_status status;     /* of this solution on its grid                                                              */
   int32_t reserved;
   int64_t nx, ny;

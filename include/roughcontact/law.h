@@ -47,8 +47,8 @@ enum { RC_LAW_CONVEX = 1, RC_LAW_SLOPES = 2, RC_LAW_MONOTONE = 3 };
 /** The patch, and how exact its law has to be. Nothing is kept after the call. */
 typedef struct rc_law_spec {
   size_t struct_size;
-  const double *undeformed_gap; /* [n] h [length]; it counts from its lowest point, see rc_gap_from_heights           */
-  const uint8_t *mask;   /* [n] as rc_step.mask; NULL: all points                                                     */
+  rc_const_array undeformed_gap; /* double [n] h [length]; it counts from its lowest point, see rc_gap_from_heights   */
+  rc_const_array mask;   /* uint8_t [n] as rc_step.mask; none: all points                                             */
   double area;           /* nominal area that p refers to [length^2], not less than that of the points; 0: nx hx ny hy */
   double p_lower, p_upper; /* the tolerances hold between these nominal pressures [force/length^2], 0 < lower < upper */
   double tolerance;      /* half the width of the bounds of p, over p: 1e-6 .. 0.1; 1e-3 unless set. p may be anywhere
@@ -119,8 +119,8 @@ RC_API rc_status rc_law_describe_node(const rc_law *law, int64_t i, rc_law_node 
  *  @{ */
 /** Pressure, slope and energy at an overclosure; all 0 for x <= 0. slope and energy may be NULL. */
 RC_API rc_status rc_law_pressure(const rc_law *law, double x, double *p, double *slope, double *energy);
-/** n overclosures at a time; output arrays may be NULL. RC_OUTSIDE if any is beyond the last node. */
-RC_API rc_status rc_law_pressures(const rc_law *law, int64_t n, const double *x, double *p, double *slope, double *energy);
+/** n overclosures at a time; arrays are double [n], each output may be none. RC_OUTSIDE if any is beyond the last node. */
+RC_API rc_status rc_law_pressures(const rc_law *law, int64_t n, rc_const_array x, rc_array p, rc_array slope, rc_array energy);
 /** The inverse: the least overclosure at which the law has a nominal pressure; infinite beyond a law that ends level. */
 RC_API rc_status rc_law_overclosure(const rc_law *law, double p, double *x);
 /** Electrical or thermal conductance per nominal area at a nominal pressure, 2 slope / (E* (rho1 + rho2)), as rc_conductance.

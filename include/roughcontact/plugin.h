@@ -8,7 +8,7 @@
  * unwound through the component. Its C++ functions are then not noexcept, and rethrow abi::__forced_unwind; those of plugin.hpp do.
  *
  * The core hands backends and solvers a *dimensionless* problem for half-space grids (modulus 1, cells of unit
- * area), so no component needs to think about units.
+ * area), so no component needs to think about units. Arrays are plain pointers, because components are called in inner loops.
  *
  * Growth: every struct begins with struct_size, which the side that fills it sets to sizeof. A later minor number adds
  * members at the ends of structs. The library refuses tables (rc_plugin, rc_backend, rc_solver, rc_kernel) that are smaller

@@ -71,7 +71,7 @@ RC_API rc_status rc_pair_supported(rc_context *context, const char *solver, cons
                                    int32_t control, const rc_options *options);
 /** Influence coefficients of a kernel of the default context, with the default values of its options: out[iy*nx + ix] = E*
  *  times the deflection [length] at offset (ix*hx, iy*hy) from a cell under unit pressure, for E* = 1. Free boundaries; relative
- *  error <= 1e-12 for the library's kernels.
+ *  error <= 1e-12 for the library's kernels. out is a pointer, as in plugin.h, where kernels give these numbers.
  *  Errors: ARGUMENT, SHAPE, OPTION (unknown kernel), INCOMPATIBLE (hx != hy where the kernel needs square cells; not for free
  *  boundaries), NUMERIC and PLUGIN (values that are refused). */
 RC_API rc_status rc_kernel_coefficients(const char *kernel, double hx, double hy, int64_t nx, int64_t ny, double *out);

@@ -159,9 +159,15 @@ typedef struct rc_context rc_context; /* registry of solvers, backends and kerne
 typedef struct rc_options rc_options; /* checked key/value set. One thread at a time.                                */
 typedef struct rc_contact rc_contact; /* operator, plans, factors and last pressures. One thread at a time.          */
 
-/** @defgroup array Arrays of the caller, in either precision and in the memory of the host or of a device  @{ */
+/** @defgroup array Arrays of the caller
+ *  Every array of a struct, and every array over points that a function takes, has one of these two types; all zero: no array.
+ *  rc_step and rc_result take floats (RC_SINGLE) and memory of a device; undeformed_gap of rc_history and undeformed_gap, p0 and p
+ *  of rc_batch take floats. All others are of RC_NATIVE in the host's memory: what is not taken is refused by name, ARGUMENT.
+ *  Plain pointers remain where single numbers are written, for matrices (rc_system.dense, direct.h), for callbacks' arguments, in
+ *  rc_kernel_coefficients, plugin.h, surface.h and formats.h.
+ *  @{ */
 enum { RC_NATIVE = 0, RC_SINGLE = 1 };
-/** n = nx*ny values that the library writes: array.data = p. */
+/** Values that the library writes. */
 typedef struct rc_array {
   void *data;          /* NULL: no array                                                                             */
   int32_t type;        /* RC_NATIVE: the type that the member's description names, double unless said otherwise;
@@ -170,13 +176,22 @@ typedef struct rc_array {
   const char *memory;  /* where data lies. NULL: in the host's memory. "cuda" or another backend with a device: in that
                           device's memory; values are copied after all earlier work on the device is done             */
 } rc_array;
-/** n values that the library reads. */
+/** Values that the library reads. */
 typedef struct rc_const_array {
   const void *data;
   int32_t type;
   int32_t reserved;
   const char *memory;
 } rc_const_array;
+/** The array at a pointer, of the type that is asked for there and in the host's memory: step.undeformed_gap = RC_IN(gap);
+ *  result.p = RC_OUT(p). RC_IN(NULL), RC_OUT(NULL): no array. */
+#ifdef __cplusplus
+#define RC_IN(pointer) (rc_const_array{(pointer), RC_NATIVE, 0, nullptr})
+#define RC_OUT(pointer) (rc_array{(pointer), RC_NATIVE, 0, nullptr})
+#else
+#define RC_IN(pointer) ((rc_const_array){(pointer), RC_NATIVE, 0, NULL})
+#define RC_OUT(pointer) ((rc_array){(pointer), RC_NATIVE, 0, NULL})
+#endif
 /** @} */
 
 /** @defgroup problem Problem: system and step  @{ */
@@ -196,7 +211,7 @@ typedef struct rc_system {
   double hx, hy;       /* cell size along x and y [length], > 0; DENSE and CALLBACK: hx*hy is the cell area          */
   double modulus;      /* contact modulus E* [force/length^2], > 0; HALFSPACE only                                   */
   const double *dense; /* DENSE: symmetric positive definite n x n, row stride dense_ld
-                          [length per (force/length^2)]; referenced, not copied                                      */
+                          [length per (force/length^2)]; referenced, not copied; a pointer, as LAPACK's matrices are  */
   int64_t dense_ld;    /* DENSE: >= n                                                                                */
   int32_t (*apply)(const double *x, double *y, int64_t n, void *user); /* CALLBACK: y = H x, symmetric positive
                           definite; return nonzero to fail; must return: no exception, no longjmp; called on the solving thread */
@@ -233,9 +248,9 @@ typedef struct rc_step {
 #define RC_STEP_INIT RC_BEGIN_WITH(rc_step, warm_start = 1)
 
 /** The undeformed gap of n heights, of which the highest touches first: highest - height [length]. The highest is that of the
- *  points where the mask is not 0 (NULL: all) and the height is not NaN; NaN stays NaN, which only a masked point may have in
- *  rc_step. heights and undeformed_gap [n] may be one array. Errors: ARGUMENT. */
-RC_API rc_status rc_gap_from_heights(int64_t n, const double *heights, const uint8_t *mask, double *undeformed_gap);
+ *  points where the mask is not 0 (none: all) and the height is not NaN; NaN stays NaN, which only a masked point may have in
+ *  rc_step. heights, undeformed_gap: double [n], which may be one array; mask: uint8_t [n]. Errors: ARGUMENT. */
+RC_API rc_status rc_gap_from_heights(int64_t n, rc_const_array heights, rc_const_array mask, rc_array undeformed_gap);
 /** @} */
 
 /** @defgroup result Result  @{ */
@@ -415,9 +430,9 @@ RC_API rc_status rc_contact_certify(rc_contact *contact, const rc_step *step, rc
 RC_API rc_status rc_contact_accuracy(rc_contact *contact, rc_accuracy *out);
 /** The contact set of the last step that was certified or within its goal, without arrays over all points: *n = how many
  *  points carry pressure (0: none, or no such step); the first `room` of them, point numbers iy*nx + ix in ascending order
- *  and pressures [force/length^2], into index and p [room], either of which may be NULL. An rc_history_fn may call it for the
- *  step that it receives. Errors: ARGUMENT, BUSY. */
-RC_API rc_status rc_contact_points(rc_contact *contact, int64_t room, int64_t *index, double *p, int64_t *n);
+ *  and pressures [force/length^2], into index (int64_t [room]) and p (double [room]), each of which may be none. An rc_history_fn
+ *  may call it for the step that it receives. Errors: ARGUMENT, BUSY. */
+RC_API rc_status rc_contact_points(rc_contact *contact, int64_t room, rc_array index, rc_array p, int64_t *n);
 /** Changes options; a key marked fixed must keep its value (else OPTION). Errors: OPTION, BUSY. */
 RC_API rc_status rc_contact_set_options(rc_contact *contact, const rc_options *options);
 /** Calls fn on the solving thread at least every `every` iterations (>= 1). fn NULL: none. fn may call only

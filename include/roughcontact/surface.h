@@ -16,8 +16,9 @@
  * Lengths, wave numbers and slopes that are not 0 lie in 1e-60 .. 1e60, heights within +-1e60.
  *
  * Every function returns an rc_status: RC_OK, RC_STOP_CANCELLED or a negative one, with the text in rc_surface_last_error().
- * All of them are thread-safe and keep nothing; the caller owns every array. Arrays are written only if RC_OK is returned. Sized
- * structs: see roughcontact.h. GSL's error handler is neither used nor changed.
+ * All of them are thread-safe and keep nothing; the caller owns every array. Arrays are written only if RC_OK is returned; they
+ * are plain pointers, as this library fills the host's memory alone. Sized structs: see roughcontact.h. GSL's error handler is
+ * neither used nor changed.
  *
  * Reproducibility: the same numbers come from every call, in any thread. Midpoint displacement and noise are bitwise
  * equal on all machines with IEEE 754 doubles (integers, + - * / and square roots only); the others use the platform's

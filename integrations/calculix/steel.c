@@ -25,7 +25,7 @@ int main(int argc, char** argv) {
         for (int i = 0; i < N; ++i) heights[j * N + i] += amplitude * cos(2 * pi * (kx * i + ky * j) / N + phase);
     }
   for (int i = 0; i < N * N; ++i) heights[i] *= 0.05 / sqrt(slope2);
-  rc_gap_from_heights(N * N, heights, NULL, gap);
+  rc_gap_from_heights(N * N, RC_IN(heights), RC_IN(NULL), RC_OUT(gap));
 
   rc_system system = RC_SYSTEM_INIT;
   system.boundary = RC_BOUNDARY_PERIODIC;
@@ -33,7 +33,7 @@ int main(int argc, char** argv) {
   system.hx = system.hy = step;
   system.modulus = 210000 / (2 * (1 - 0.3 * 0.3)); /* both bodies of steel */
   rc_law_spec spec = RC_LAW_SPEC_INIT;
-  spec.undeformed_gap = gap;
+  spec.undeformed_gap = RC_IN(gap);
   spec.p_lower = 1;
   spec.p_upper = 500;
   rc_law* law = NULL;

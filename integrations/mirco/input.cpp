@@ -118,7 +118,7 @@ double punch_stiffness(const InputParameters& input) {
   system.hx = system.hy = input.grid_size;
   system.modulus = input.composite_youngs;
   double stiffness = 0;
-  if (status == RC_OK) status = rc_punch_stiffness(&system, nullptr, options.get(), &stiffness, nullptr, nullptr);
+  if (status == RC_OK) status = rc_punch_stiffness(&system, {}, options.get(), &stiffness, nullptr, nullptr);
   if (status < 0) throw std::runtime_error(std::string("the square as a flat punch: ") + rc_last_error());
   return stiffness;
 }

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "abi/arrays.h"
 #include "abi/guard.h"
 #include "abi/sized_struct.h"
 #include "analysis/area.h"
@@ -15,15 +16,16 @@ namespace {
 
 using namespace rc;
 
-ContactMap map_of(const rc_system* system, const double* p, const uint8_t* mask) {
-  return {read<rc_system>(system, "rc_system", RC_SYSTEM_INIT), p, mask};
+ContactMap map_of(const rc_system* system, const rc_const_array& p, const rc_const_array& mask) {
+  return {read<rc_system>(system, "rc_system", RC_SYSTEM_INIT), host_values<double>(p, "p"),
+          host_values<std::uint8_t>(mask, "mask")};
 }
 
 }  // namespace
 
 extern "C" {
 
-rc_status rc_area_measure(const rc_system* system, const double* p, const uint8_t* mask, rc_area* out) {
+rc_status rc_area_measure(const rc_system* system, rc_const_array p, rc_const_array mask, rc_area* out) {
   return guard("rc_area_measure", [&] {
     check_size(out, "rc_area");
     write(out, measure_area(map_of(system, p, mask)));
@@ -31,25 +33,34 @@ rc_status rc_area_measure(const rc_system* system, const double* p, const uint8_
   });
 }
 
-rc_status rc_patches_find(const rc_system* system, const double* p, const uint8_t* mask, rc_patches* out) {
+rc_status rc_patches_find(const rc_system* system, rc_const_array p, rc_const_array mask, rc_patches* out) {
   return guard("rc_patches_find", [&] {
     const rc_patches asked = read<rc_patches>(out, "rc_patches", RC_PATCHES_INIT);
     check_reserved(asked.reserved, "rc_patches.reserved");
+    check_host_arrays<rc_array>({{"rc_patches.label", asked.label},
+                                 {"rc_patches.cells", asked.cells},
+                                 {"rc_patches.area", asked.area},
+                                 {"rc_patches.perimeter", asked.perimeter},
+                                 {"rc_patches.load", asked.load},
+                                 {"rc_patches.mean_pressure", asked.mean_pressure},
+                                 {"rc_patches.max_pressure", asked.max_pressure},
+                                 {"rc_patches.peak", asked.peak}});
     out->count = find_patches(map_of(system, p, mask), asked);
     return RC_OK;
   });
 }
 
-rc_status rc_histogram_fill(const rc_system* system, const double* p, const uint8_t* mask, rc_histogram* out) {
+rc_status rc_histogram_fill(const rc_system* system, rc_const_array p, rc_const_array mask, rc_histogram* out) {
   return guard("rc_histogram_fill", [&] {
     rc_histogram asked = read<rc_histogram>(out, "rc_histogram", RC_HISTOGRAM_INIT);
+    check_host_arrays<rc_array>({{"rc_histogram.counts", asked.counts}, {"rc_histogram.density", asked.density}});
     fill_histogram(map_of(system, p, mask), asked);
     write(out, asked);
     return RC_OK;
   });
 }
 
-rc_status rc_crossing_find(const rc_system* system, const double* p, const uint8_t* mask, rc_crossing* out) {
+rc_status rc_crossing_find(const rc_system* system, rc_const_array p, rc_const_array mask, rc_crossing* out) {
   return guard("rc_crossing_find", [&] {
     check_size(out, "rc_crossing");
     write(out, find_crossing(map_of(system, p, mask)));
@@ -74,12 +85,12 @@ rc_status rc_conductance(const rc_system* system, const rc_result* result, doubl
   });
 }
 
-rc_status rc_punch_stiffness(const rc_system* system, const uint8_t* mask, const rc_options* options, double* stiffness,
+rc_status rc_punch_stiffness(const rc_system* system, rc_const_array mask, const rc_options* options, double* stiffness,
                              double* lower, double* upper) {
   return guard("rc_punch_stiffness", [&] {
     if (!stiffness) fail(RC_ERR_ARGUMENT, "stiffness is null");
     StiffnessInterval found;
-    const rc_status status = set_stiffness(read<rc_system>(system, "rc_system", RC_SYSTEM_INIT), mask,
+    const rc_status status = set_stiffness(read<rc_system>(system, "rc_system", RC_SYSTEM_INIT), host_values<std::uint8_t>(mask, "mask"),
                                            options ? *options : rc_options{Context::standard(), {}}, found);
     if (std::isnan(found.value)) return status;
     *stiffness = found.value;

@@ -2,17 +2,12 @@
 #include "contact/calls/batch.h"
 
 #include "abi/guard.h"
-#include "abi/sized_struct.h"
+#include "abi/steps.h"
 
 extern "C" rc_status rc_batch_solve(const rc_system* system, const rc_options* options, rc_batch* batch) {
   using namespace rc;
   return guard("rc_batch_solve", [&] {
-    const rc_batch asked = read<rc_batch>(batch, "rc_batch", RC_BATCH_INIT);
-    batch->written = batch->certified = 0;
-    batch->first = -1;
-    check_switch(asked.warm_start, "rc_batch.warm_start");
-    check_switch(asked.virgin, "rc_batch.virgin");
-    check_reserved(asked.reserved, "rc_batch.reserved");
+    const rc_batch asked = read_batch(batch);
     const BatchOutcome outcome = solve_batch(read<rc_system>(system, "rc_system", RC_SYSTEM_INIT),
                                              options ? *options : rc_options{Context::standard(), {}}, asked);
     batch->written = asked.n;

@@ -1,7 +1,7 @@
 // rc_contact_*, rc_solve
 #include "abi/guard.h"
 #include "abi/handles.h"
-#include "abi/sized_struct.h"
+#include "abi/steps.h"
 #include "contact/calls/history.h"
 
 namespace {
@@ -77,9 +77,7 @@ rc_status rc_contact_certify(rc_contact* contact, const rc_step* step, rc_result
 
 rc_status rc_contact_solve_history(rc_contact* contact, rc_history* path) {
   return exclusively("rc_contact_solve_history", contact, [&](Contact& c) {
-    const rc_history asked = read<rc_history>(path, "rc_history", RC_HISTORY_INIT);
-    path->completed = 0;
-    check_switches(asked);
+    const rc_history asked = read_history(path);
     return solve_history(c, asked, wants_of(asked), path->completed);
   });
 }
@@ -87,6 +85,7 @@ rc_status rc_contact_solve_history(rc_contact* contact, rc_history* path) {
 rc_status rc_contact_level(rc_contact* contact, int64_t i, rc_level* out) {
   return exclusively("rc_contact_level", contact, [&](Contact& c) {
     rc_level level = read<rc_level>(out, "rc_level", RC_LEVEL_INIT);
+    check_host_array(level.p, "rc_level.p");
     c.grid().grids().describe(i, level);
     write(out, level);
     return RC_OK;
@@ -103,11 +102,11 @@ rc_status rc_contact_accuracy(rc_contact* contact, rc_accuracy* out) {
   });
 }
 
-rc_status rc_contact_points(rc_contact* contact, int64_t room, int64_t* index, double* p, int64_t* n) {
+rc_status rc_contact_points(rc_contact* contact, int64_t room, rc_array index, rc_array p, int64_t* n) {
   return exclusively_or_inside("rc_contact_points", contact, [&](const Contact& c) {
     if (!n) fail(RC_ERR_ARGUMENT, "n is null");
     if (room < 0) fail(RC_ERR_ARGUMENT, "room = ", room, " must be >= 0");
-    *n = c.grid().memory().contact_points(room, index, p);
+    *n = c.grid().memory().contact_points(room, host_values<std::int64_t>(index, "index"), host_values<double>(p, "p"));
     return RC_OK;
   });
 }
@@ -125,6 +124,9 @@ rc_status rc_contact_explain(rc_contact* contact, const char** out) {
 rc_status rc_contact_gradient(rc_contact* contact, rc_gradient* gradient) {
   return exclusively("rc_contact_gradient", contact, [&](Contact& c) {
     rc_gradient asked = read<rc_gradient>(gradient, "rc_gradient", RC_GRADIENT_INIT);
+    check_host_array(asked.dJ_dp, "rc_gradient.dJ_dp");
+    check_host_array(asked.dJ_dgap, "rc_gradient.dJ_dgap");
+    check_host_array(asked.dJ_dundeformed_gap, "rc_gradient.dJ_dundeformed_gap");
     const rc_status status = c.gradient(asked);
     if (status == RC_OK || status == RC_STOP_STALLED) write(gradient, asked);
     return status;
@@ -134,6 +136,9 @@ rc_status rc_contact_gradient(rc_contact* contact, rc_gradient* gradient) {
 rc_status rc_contact_tangent(rc_contact* contact, rc_tangent* tangent) {
   return exclusively("rc_contact_tangent", contact, [&](Contact& c) {
     rc_tangent asked = read<rc_tangent>(tangent, "rc_tangent", RC_TANGENT_INIT);
+    check_host_array(asked.dundeformed_gap, "rc_tangent.dundeformed_gap");
+    check_host_array(asked.dp, "rc_tangent.dp");
+    check_host_array(asked.dgap, "rc_tangent.dgap");
     const rc_status status = c.tangent(asked);
     if (status == RC_OK || status == RC_STOP_STALLED) write(tangent, asked);
     return status;
@@ -147,17 +152,24 @@ rc_status rc_contact_reset(rc_contact* contact) {
   });
 }
 
-rc_status rc_contact_indentation(rc_contact* contact, double* indentation) {
+rc_status rc_contact_indentation(rc_contact* contact, rc_array indentation) {
   return exclusively("rc_contact_indentation", contact, [&](Contact& c) {
-    if (!indentation) fail(RC_ERR_ARGUMENT, "indentation is null");
-    c.grid().write_indentation({indentation, static_cast<std::size_t>(c.problem().system.points())});
+    double* const to = host_values<double>(indentation, "indentation");
+    if (!to) fail(RC_ERR_ARGUMENT, "indentation is null");
+    c.grid().write_indentation({to, static_cast<std::size_t>(c.problem().system.points())});
     return RC_OK;
   });
 }
 
 rc_status rc_contact_restore(rc_contact* contact, const rc_state* state) {
   return exclusively("rc_contact_restore", contact, [&](Contact& c) {
-    c.restore(read<rc_state>(state, "rc_state", RC_STATE_INIT));
+    const rc_state given = read<rc_state>(state, "rc_state", RC_STATE_INIT);
+    check_host_arrays<rc_const_array>({{"rc_state.undeformed_gap", given.undeformed_gap},
+                                       {"rc_state.mask", given.mask},
+                                       {"rc_state.p", given.p},
+                                       {"rc_state.p_before", given.p_before},
+                                       {"rc_state.indentation", given.indentation}});
+    c.restore(given);
     return RC_OK;
   });
 }

@@ -85,7 +85,7 @@ rc_status on_matrix(const char* where, const char* solver, const Matrix& H, cons
     for (double& value : gap) value = -value;
     rc_step step = RC_STEP_INIT;
     step.control = RC_CONTROL_APPROACH;
-    step.undeformed_gap.data = gap.data();
+    step.undeformed_gap = RC_IN(gap.data());
     step.p0.data = p;
     const Numbers numbers = contact.solve(step, {{p}, {w}});
     report(numbers, contact.problem().system, result);
@@ -145,10 +145,10 @@ rc_status rc_cmr(int64_t nx, int64_t ny, double hx, double hy, double modulus, c
     check_array(heights, nx * ny, "heights", nx);
 
     std::vector<double> gap(static_cast<std::size_t>(nx * ny));
-    raise_if_failed(rc_gap_from_heights(nx * ny, heights, nullptr, gap.data()), "the undeformed gap");
+    raise_if_failed(rc_gap_from_heights(nx * ny, RC_IN(heights), {}, RC_OUT(gap.data())), "the undeformed gap");
     rc_step step = RC_STEP_INIT;
     step.control = RC_CONTROL_APPROACH;
-    step.undeformed_gap.data = gap.data();
+    step.undeformed_gap = RC_IN(gap.data());
     step.target = approach;
     const Numbers numbers = contact.solve(step, {{p}, {}});
     report(numbers, contact.problem().system, result);

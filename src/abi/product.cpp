@@ -3,6 +3,7 @@
 
 #include <roughcontact/product.h>
 
+#include "abi/arrays.h"
 #include "abi/guard.h"
 #include "abi/handles.h"
 #include "abi/sized_struct.h"
@@ -29,12 +30,14 @@ void rc_product_destroy(rc_product* product) {
   delete product;
 }
 
-rc_status rc_product_apply(rc_product* product, const double* p, int64_t p_x, int64_t p_y, double* u, int64_t u_x, int64_t u_y) {
+rc_status rc_product_apply(rc_product* product, rc_const_array p, rc_array u) {
   using namespace rc;
   return exclusively("rc_product_apply", product, "product", [&](rc_product& entered) {
-    if (!p) fail(RC_ERR_ARGUMENT, "p is null");
-    if (!u) fail(RC_ERR_ARGUMENT, "u is null");
-    entered.product.apply({p, p_x, p_y}, {u, u_x, u_y});
+    const double* const pressures = host_values<double>(p, "p");
+    double* const deflections = host_values<double>(u, "u");
+    if (!pressures) fail(RC_ERR_ARGUMENT, "p is null");
+    if (!deflections) fail(RC_ERR_ARGUMENT, "u is null");
+    entered.product.apply(pressures, deflections);
     return RC_OK;
   });
 }

@@ -5,7 +5,7 @@
 
 #include "abi/guard.h"
 #include "abi/handles.h"
-#include "abi/sized_struct.h"
+#include "abi/steps.h"
 #include "contact/calls/agreement.h"
 #include "contact/calls/shared_contact.h"
 
@@ -50,16 +50,11 @@ rc_status with_step(const char* where, rc_ranks_contact* contact, const rc_step*
     on_all(&c.ranks(), [&] {
       asked = read_step(step);
       answer = read_result(result);
-      const auto check_host = [](const auto& array, const char* name) {
-        if (array.memory)
-          fail(RC_ERR_INCOMPATIBLE, name, ".memory = \"", array.memory,
-               "\": contacts shared by ranks take arrays in the host's memory only");
-      };
-      check_host(asked.undeformed_gap, "rc_step.undeformed_gap");
-      check_host(asked.mask, "rc_step.mask");
-      check_host(asked.p0, "rc_step.p0");
-      check_host(answer.p, "rc_result.p");
-      check_host(answer.gap, "rc_result.gap");
+      check_host_array(asked.undeformed_gap, "rc_step.undeformed_gap", Types::floats);
+      check_host_array(asked.mask, "rc_step.mask");
+      check_host_array(asked.p0, "rc_step.p0", Types::floats);
+      check_host_array(answer.p, "rc_result.p", Types::floats);
+      check_host_array(answer.gap, "rc_result.gap", Types::floats);
     });
     const Numbers numbers = body(c, asked, outputs_of(answer));
     write(numbers, c.system(), answer);
@@ -115,11 +110,7 @@ rc_status rc_ranks_contact_solve(rc_ranks_contact* contact, const rc_step* step,
 rc_status rc_ranks_contact_solve_history(rc_ranks_contact* contact, rc_history* path) {
   return with_contact("rc_ranks_contact_solve_history", contact, [&](SharedContact& c) {
     rc_history asked = RC_HISTORY_INIT;
-    on_all(&c.ranks(), [&] {
-      asked = read<rc_history>(path, "rc_history", RC_HISTORY_INIT);
-      path->completed = 0;
-      check_switches(asked);
-    });
+    on_all(&c.ranks(), [&] { asked = read_history(path); });
     return c.solve_history(asked, path->completed);
   });
 }

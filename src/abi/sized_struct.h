@@ -50,35 +50,6 @@ inline void check_reserved(std::int64_t value, const char* name) {
   if (value != 0) fail(RC_ERR_ARGUMENT, name, " = ", value, " must be 0");
 }
 
-template <class Array> void check_array(const Array& array, const char* name, bool floats = true) {
-  if (array.type != RC_NATIVE && !(floats && array.type == RC_SINGLE))
-    fail(RC_ERR_ARGUMENT, name, ".type = ", array.type, floats ? " is neither RC_NATIVE nor RC_SINGLE" : " is not RC_NATIVE");
-  if (array.reserved != 0) fail(RC_ERR_ARGUMENT, name, ".reserved = ", array.reserved, " must be 0");
-}
-
-inline void check_switches(const rc_history& history) {
-  check_switch(history.warm_start, "rc_history.warm_start");
-  check_switch(history.virgin, "rc_history.virgin");
-}
-
-inline rc_step read_step(const rc_step* from) {
-  const rc_step step = read<rc_step>(from, "rc_step", RC_STEP_INIT);
-  check_switch(step.warm_start, "rc_step.warm_start");
-  check_switch(step.borrow, "rc_step.borrow");
-  check_reserved(step.reserved, "rc_step.reserved");
-  check_array(step.undeformed_gap, "rc_step.undeformed_gap");
-  check_array(step.mask, "rc_step.mask", false);
-  check_array(step.p0, "rc_step.p0");
-  return step;
-}
-
-inline rc_result read_result(const rc_result* from) {
-  const rc_result result = read<rc_result>(from, "rc_result", RC_RESULT_INIT);
-  check_array(result.p, "rc_result.p");
-  check_array(result.gap, "rc_result.gap");
-  return result;
-}
-
 // Writes the members that fit into the caller's struct; its struct_size does not change.
 template <class Struct> void write(Struct* to, const Struct& value) {
   const std::size_t size = to->struct_size;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/array.h"
 #include "core/error.h"
 
 namespace rc {
@@ -41,8 +42,10 @@ void fill_histogram(const ContactMap& map, rc_histogram& out) {
   if (out.contacts > 0 && !std::isnormal(out.width))
     fail(RC_ERR_ARGUMENT, "bins of ", upper, " / ", out.bins, " are beyond double precision; choose other units");
 
-  if (out.counts) std::fill_n(out.counts, out.bins, 0);
-  if (out.density) std::fill_n(out.density, out.bins, 0.0);
+  std::int64_t* const counts = values_of<std::int64_t>(out.counts);
+  double* const density = values_of<double>(out.density);
+  if (counts) std::fill_n(counts, out.bins, 0);
+  if (density) std::fill_n(density, out.bins, 0.0);
   for (std::int64_t i = 0; i < map.points(); ++i) {
     if (!map.touches(i)) continue;
     if (map.pressure(i) > upper) {
@@ -50,11 +53,11 @@ void fill_histogram(const ContactMap& map, rc_histogram& out) {
       continue;
     }
     const std::int64_t k = bin_of(map.pressure(i), upper, out.bins);
-    if (out.counts) ++out.counts[k];
-    if (out.density) ++out.density[k];
+    if (counts) ++counts[k];
+    if (density) ++density[k];
   }
-  if (out.density && out.contacts > 0)
-    for (std::int64_t k = 0; k < out.bins; ++k) out.density[k] /= contacts * out.width;
+  if (density && out.contacts > 0)
+    for (std::int64_t k = 0; k < out.bins; ++k) density[k] /= contacts * out.width;
 }
 
 }  // namespace rc

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/array.h"
 #include "core/error.h"
 
 namespace rc {
@@ -108,10 +109,11 @@ struct Patch {
   double sum = 0, max = 0;
 };
 
-template <class Value, class Get> void give(Value* to, std::int64_t room, const std::vector<Patch>& patches, const Get& get) {
-  if (!to) return;
+template <class Get> void give(const rc_array& to, std::int64_t room, const std::vector<Patch>& patches, const Get& get) {
+  using Value = decltype(get(patches[0]));
+  if (!to.data) return;
   const Index n = std::min(static_cast<Index>(room), patches.size());
-  for (Index k = 0; k < n; ++k) to[k] = get(patches[k]);
+  for (Index k = 0; k < n; ++k) values_of<Value>(to)[k] = get(patches[k]);
 }
 
 }  // namespace
@@ -135,7 +137,8 @@ std::int64_t find_patches(const ContactMap& map, const rc_patches& out) {
   }
 
   const std::int64_t nx = map.system().nx;
-  if (out.label) std::fill_n(out.label, map.points(), none);
+  std::int64_t* const label = values_of<std::int64_t>(out.label);
+  if (label) std::fill_n(label, map.points(), none);
   for (Index row = 0; row < runs.rows(); ++row)
     for (Index run = runs.begin(row); run < runs.end(row); ++run) {
       const std::int64_t found = number[sets.root(run)], iy = static_cast<std::int64_t>(row);
@@ -149,7 +152,7 @@ std::int64_t find_patches(const ContactMap& map, const rc_patches& out) {
           patch.max = map.pressure(i);
           patch.peak = i;
         }
-        if (out.label) out.label[i] = found;
+        if (label) label[i] = found;
       }
     }
 

@@ -21,6 +21,20 @@ inline double value_at(const rc_const_array& array, std::size_t i) {
                                  : static_cast<const double*>(array.data)[i];
 }
 
-inline const std::uint8_t* mask_of(const rc_step& step) { return static_cast<const std::uint8_t*>(step.mask.data); }
+// The values of an array of RC_NATIVE in the host's memory, whose type there is Value; null: no array.
+template <class Value> const Value* values_of(const rc_const_array& array) { return static_cast<const Value*>(array.data); }
+template <class Value> Value* values_of(const rc_array& array) { return static_cast<Value*>(array.data); }
+
+// The array from value `first` on; none of none. native: bytes of a value of RC_NATIVE.
+inline rc_const_array from_value(rc_const_array array, std::int64_t first, std::size_t native) {
+  if (array.data)
+    array.data = static_cast<const std::byte*>(array.data) + first * static_cast<std::int64_t>(bytes_of_value(array, native));
+  return array;
+}
+inline rc_array from_value(rc_array array, std::int64_t first, std::size_t native) {
+  if (array.data)
+    array.data = static_cast<std::byte*>(array.data) + first * static_cast<std::int64_t>(bytes_of_value(array, native));
+  return array;
+}
 
 }  // namespace rc

@@ -11,6 +11,7 @@
 #include <mutex>
 #include <string>
 
+#include "abi/arrays.h"
 #include "abi/guard.h"
 #include "abi/sized_struct.h"
 #include "core/files.h"
@@ -64,6 +65,8 @@ rc_status rc_law_create(const rc_system* system, const rc_options* options, cons
     const rc_system patch = read<rc_system>(system, "rc_system", RC_SYSTEM_INIT);
     const rc_law_spec wanted = read<rc_law_spec>(spec, "rc_law_spec", RC_LAW_SPEC_INIT);
     check_reserved(wanted.reserved, "rc_law_spec.reserved");
+    check_host_arrays<rc_const_array>(
+        {{"rc_law_spec.undeformed_gap", wanted.undeformed_gap}, {"rc_law_spec.mask", wanted.mask}});
     *out = create_law(patch, options, wanted).release();
     return concluded(**out);
   });
@@ -95,15 +98,24 @@ rc_status rc_law_pressure(const rc_law* law, double x, double* p, double* slope,
   return status >= 0 ? status : refused("rc_law_pressure", null_or_nan);
 }
 
-rc_status rc_law_pressures(const rc_law* law, int64_t n, const double* x, double* p, double* slope, double* energy) {
-  if (!law || (!x && n > 0) || n < 0) return refused("rc_law_pressures", "law or x is null, or n < 0");
+rc_status rc_law_pressures(const rc_law* law, int64_t n, rc_const_array x, rc_array p, rc_array slope, rc_array energy) {
+  if (!law || (!x.data && n > 0) || n < 0) return refused("rc_law_pressures", "law or x is null, or n < 0");
+  if (!is_plain(x) || !is_plain(p) || !is_plain(slope) || !is_plain(energy))
+    return guard("rc_law_pressures", [&] {
+      check_host_array(x, "x");
+      check_host_arrays<rc_array>({{"p", p}, {"slope", slope}, {"energy", energy}});
+      return RC_OK;
+    });
+  const double* const at = values_of<double>(x);
+  double *const to_p = values_of<double>(p), *const to_slope = values_of<double>(slope),
+                *const to_energy = values_of<double>(energy);
   int worst = RC_OK;
   for (std::int64_t i = 0; i < n; ++i) {
     double pressure = 0;
-    const int status = roughcontact_law_pressure(law->table.data(), x[i], p ? p + i : &pressure, slope ? slope + i : nullptr,
-                                                 energy ? energy + i : nullptr);
+    const int status = roughcontact_law_pressure(law->table.data(), at[i], to_p ? to_p + i : &pressure,
+                                                 to_slope ? to_slope + i : nullptr, to_energy ? to_energy + i : nullptr);
     if (status < 0)
-      return guard("rc_law_pressures", [&]() -> rc_status { fail(RC_ERR_ARGUMENT, "x[", i, "] = ", x[i], " is not finite"); });
+      return guard("rc_law_pressures", [&]() -> rc_status { fail(RC_ERR_ARGUMENT, "x[", i, "] = ", at[i], " is not finite"); });
     worst = std::max(worst, status);
   }
   return worst;

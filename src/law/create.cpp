@@ -20,7 +20,7 @@ constexpr int most_parts = 8;         // of an interval at a time
 
 void check_spec(const rc_system& system, const rc_law_spec& spec) {
   const auto positive = [](double value) { return value > 0 && std::isfinite(value); };
-  if (!spec.undeformed_gap) fail(RC_ERR_ARGUMENT, "rc_law_spec.undeformed_gap is null");
+  if (!spec.undeformed_gap.data) fail(RC_ERR_ARGUMENT, "rc_law_spec.undeformed_gap is null");
   if (!positive(spec.p_lower) || !(spec.p_lower < spec.p_upper) || !positive(spec.p_upper))
     fail(RC_ERR_ARGUMENT, "rc_law_spec.p_lower = ", spec.p_lower, ", p_upper = ", spec.p_upper,
          ": must be 0 < p_lower < p_upper, finite");

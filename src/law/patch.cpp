@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "core/array.h"
 #include "core/error.h"
 #include "law/nesting.h"
 
@@ -42,16 +43,17 @@ LawPatch::LawPatch(const rc_system& system, const rc_options* options, const rc_
   must(rc_contact_on_progress(made, spec.progress, spec.user, 1));
   n_ = system.nx * system.ny;
   area_ = spec.area > 0 ? spec.area : static_cast<double>(n_) * system.hx * system.hy;
+  const double* const gap = values_of<double>(spec.undeformed_gap);
   double sum = 0, lowest = std::numeric_limits<double>::infinity();
   for (std::int64_t i = 0; i < n_; ++i)
-    if (!spec.mask || spec.mask[i] != 0) lowest = std::min(lowest, spec.undeformed_gap[i]), ++open_;
+    if (included(i)) lowest = std::min(lowest, gap[i]), ++open_;
   if (open_ == 0) fail(RC_ERR_ARGUMENT, "all points are masked");
   if (const double least = static_cast<double>(open_) * system.hx * system.hy; area_ < least * (1 - 1e-12))
     fail(RC_ERR_ARGUMENT, "rc_law_spec.area = ", area_, " is smaller than the points that are not masked, ", least);
   from_touch_.resize(static_cast<std::size_t>(n_));
   for (std::int64_t i = 0; i < n_; ++i) {
-    from_touch_[static_cast<std::size_t>(i)] = spec.undeformed_gap[i] - lowest;
-    if (!spec.mask || spec.mask[i] != 0) sum += from_touch_[static_cast<std::size_t>(i)];
+    from_touch_[static_cast<std::size_t>(i)] = gap[i] - lowest;
+    if (included(i)) sum += from_touch_[static_cast<std::size_t>(i)];
   }
   mean_gap_ = sum / static_cast<double>(open_);
   index_.resize(static_cast<std::size_t>(n_));
@@ -77,6 +79,11 @@ void LawPatch::set_options(const rc_options* given) {
   must(rc_options_set_real(made, RC_OPT_ACCURACY, 0));
 }
 
+bool LawPatch::included(std::int64_t i) const {
+  const std::uint8_t* const mask = values_of<std::uint8_t>(spec_.mask);
+  return !mask || mask[i] != 0;
+}
+
 bool LawPatch::plastic() const { return system_.hardness > 0 && std::isfinite(system_.hardness); }
 
 LawSample LawPatch::origin() const { return {.contacts = LawPoints(n_), .capped = LawPoints(n_)}; }
@@ -87,14 +94,14 @@ double LawPatch::pressed_flat() {
   const double pressure = plastic() ? std::min(unit, system_.hardness) / 2 : unit,
                approach = std::sqrt(cell * static_cast<double>(n_));
   const std::vector<double> flat(static_cast<std::size_t>(n_), 0.0);
-  for (std::int64_t i = 0; i < n_; ++i) p_[static_cast<std::size_t>(i)] = !spec_.mask || spec_.mask[i] != 0 ? pressure : 0;
+  for (std::int64_t i = 0; i < n_; ++i) p_[static_cast<std::size_t>(i)] = included(i) ? pressure : 0;
   rc_step step = RC_STEP_INIT;
   step.control = RC_CONTROL_APPROACH;
   step.target = approach;
-  step.undeformed_gap.data = flat.data();
-  step.mask.data = spec_.mask;
+  step.undeformed_gap = RC_IN(flat.data());
+  step.mask = spec_.mask;
   rc_result result = RC_RESULT_INIT;
-  result.p.data = p_.data();
+  result.p = RC_OUT(p_.data());
   if (const rc_status status = rc_contact_certify(contact_.get(), &step, &result); status < 0) fail(status, rc_last_error());
   return 2 * (result.energy / pressure + approach * cell * static_cast<double>(open_)) / pressure;
 }
@@ -108,11 +115,11 @@ LawSample LawPatch::solve(std::int32_t control, double target) {
   step.control = control;
   step.target = target;
   if (!placed_) {
-    step.undeformed_gap.data = from_touch_.data();
-    step.mask.data = spec_.mask;
+    step.undeformed_gap = RC_IN(from_touch_.data());
+    step.mask = spec_.mask;
   }
   rc_result result = RC_RESULT_INIT;
-  if (!gap_.empty()) result.gap.data = gap_.data();
+  if (!gap_.empty()) result.gap = RC_OUT(gap_.data());
   must(rc_contact_solve(contact_.get(), &step, &result));
   placed_ = true;
   homogeneous_ = result.homogeneous == 1;
@@ -120,7 +127,7 @@ LawSample LawPatch::solve(std::int32_t control, double target) {
 
   LawSample sample = origin();
   std::int64_t count = 0;
-  must(rc_contact_points(contact_.get(), n_, index_.data(), p_.data(), &count));
+  must(rc_contact_points(contact_.get(), n_, RC_OUT(index_.data()), RC_OUT(p_.data()), &count));
   for (std::int64_t i = 0; i < count; ++i) {
     sample.contacts.add(index_[static_cast<std::size_t>(i)]);
     if (plastic() && p_[static_cast<std::size_t>(i)] >= system_.hardness) sample.capped.add(index_[static_cast<std::size_t>(i)]);
@@ -170,7 +177,7 @@ void LawPatch::check_yield(const rc_result& result, const Yield& yields) const {
 
 // The kernels of half-spaces are assumed to have the property; a callback's nodes are never proven.
 bool LawPatch::sets_grow() {
-  if (!sets_grow_) sets_grow_ = system_.op != RC_OPERATOR_DENSE || rc::sets_grow(system_, spec_.mask);
+  if (!sets_grow_) sets_grow_ = system_.op != RC_OPERATOR_DENSE || rc::sets_grow(system_, values_of<std::uint8_t>(spec_.mask));
   return *sets_grow_;
 }
 
@@ -180,7 +187,7 @@ std::optional<LawPatch::Slopes> LawPatch::slopes(const LawPoints& least, const L
   const auto punch = [&](const LawPoints& set, bool upper) {
     for (std::int64_t i = 0; i < n_; ++i) points[static_cast<std::size_t>(i)] = set.has(i);
     double value = 0, bounds[2] = {};
-    const rc_status status = rc_punch_stiffness(&system_, points.data(), options_.get(), &value, &bounds[0], &bounds[1]);
+    const rc_status status = rc_punch_stiffness(&system_, RC_IN(points.data()), options_.get(), &value, &bounds[0], &bounds[1]);
     if (status != RC_STOP_STALLED) must(status);
     const double stiffness = bounds[upper ? 1 : 0];
     return stiffness / area_ / (bulk_ == RC_LAW_BULK_GIVEN ? 1 - stiffness / spec_.bulk_stiffness : 1);
@@ -205,7 +212,7 @@ LawPatch::Yield LawPatch::mean_yield(std::int32_t control, const rc_result& resu
   const double share = 1 / static_cast<double>(open_);
   for (std::int64_t i = 0; i < n_; ++i) p_[static_cast<std::size_t>(i)] = sample.capped.has(i) ? 0 : share;
   rc_gradient gradient = RC_GRADIENT_INIT;
-  gradient.dJ_dgap = p_.data();
+  gradient.dJ_dgap = RC_IN(p_.data());
   const rc_status status = rc_contact_gradient(contact_.get(), &gradient);
   if (status != RC_STOP_STALLED) must(status);
   const double rate = -gradient.dJ_dtarget * (control == RC_CONTROL_LOAD ? result.stiffness : 1);

@@ -58,6 +58,7 @@ class LawPatch {
   };
 
   LawSample solve(std::int32_t control, double target);
+  bool included(std::int64_t i) const;  // the mask lets it carry pressure
   void check_yield(const rc_result& result, const Yield& yields) const;
   bool sets_grow();
   Yield yield(std::int32_t control, const rc_result& result, const LawSample& sample);

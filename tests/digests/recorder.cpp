@@ -100,8 +100,8 @@ RC_API rc_status rc_contact_solve_history(rc_contact* contact, rc_history* path)
   static const auto real = next<decltype(&rc_contact_solve_history)>("rc_contact_solve_history");
   const rc_status status = real(contact, path);
   Hash hash;
-  for (const double* values : {path->columns.load, path->columns.approach, path->columns.contact_area, path->columns.stiffness})
-    hash.add(values, path->completed);
+  for (const rc_array& values : {path->columns.load, path->columns.approach, path->columns.contact_area, path->columns.stiffness})
+    hash.add(static_cast<double*>(values.data), path->completed);
   write("path", status, path->completed, path->n, hash);
   return status;
 }
@@ -111,9 +111,9 @@ RC_API rc_status rc_batch_solve(const rc_system* system, const rc_options* optio
   const rc_status status = real(system, options, batch);
   Hash hash;
   if (status >= 0) {
-    for (const double* values : {batch->columns.load, batch->columns.approach, batch->columns.contact_area})
-      hash.add(values, batch->n * batch->steps);
-    hash.add(batch->p, batch->n * system->nx * system->ny);
+    for (const rc_array& values : {batch->columns.load, batch->columns.approach, batch->columns.contact_area})
+      hash.add(static_cast<double*>(values.data), batch->n * batch->steps);
+    hash.add(static_cast<double*>(batch->p.data), batch->n * system->nx * system->ny);
   }
   write("batch", status, batch->n, batch->steps, hash);
   return status;

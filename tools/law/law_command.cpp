@@ -186,9 +186,9 @@ PatchLaw make_law(const LawArguments& arguments) {
   set_bulk(arguments.bulk, problem.system, spec);
   const std::span<const double> heights = problem.input.surface.heights;
   std::vector<double> gap(heights.size());
-  check(rc_gap_from_heights(std::ssize(gap), heights.data(), problem.input.mask, gap.data()), "");
-  spec.undeformed_gap = gap.data();
-  spec.mask = problem.input.mask;
+  check(rc_gap_from_heights(std::ssize(gap), RC_IN(heights.data()), RC_IN(problem.input.mask), RC_OUT(gap.data())), "");
+  spec.undeformed_gap = RC_IN(gap.data());
+  spec.mask = RC_IN(problem.input.mask);
   Context context;
   const Options options = make_options(context, default_threads(problem.system.nx * problem.system.ny), problem.options);
   PatchLaw law;

@@ -8,24 +8,24 @@ namespace cli {
 
 StepSolver::StepSolver(rc_contact* contact, const Problem& problem)
     : contact_(contact), problem_(problem), gap_(problem.input.surface.heights.begin(), problem.input.surface.heights.end()) {
-  check(rc_gap_from_heights(static_cast<std::int64_t>(gap_.size()), gap_.data(), nullptr, gap_.data()), "");
+  check(rc_gap_from_heights(static_cast<std::int64_t>(gap_.size()), RC_IN(gap_.data()), {}, RC_OUT(gap_.data())), "");
 }
 
 void StepSolver::restore(const std::vector<CertifiedStep>& certified, const std::vector<double>& indentation) {
   rc_state state = RC_STATE_INIT;
-  state.undeformed_gap = gap_.data();
-  state.mask = problem_.input.mask;
+  state.undeformed_gap = RC_IN(gap_.data());
+  state.mask = RC_IN(problem_.input.mask);
   if (!certified.empty()) {
-    state.p = certified[0].pressure.data();
+    state.p = RC_IN(certified[0].pressure.data());
     state.approach = certified[0].approach;
     state.load = certified[0].load;
   }
   if (certified.size() > 1) {
-    state.p_before = certified[1].pressure.data();
+    state.p_before = RC_IN(certified[1].pressure.data());
     state.approach_before = certified[1].approach;
     state.load_before = certified[1].load;
   }
-  if (!indentation.empty()) state.indentation = indentation.data();
+  if (!indentation.empty()) state.indentation = RC_IN(indentation.data());
   check(rc_contact_restore(contact_, &state), "--resume");
   gap_given_ = true;
 }
@@ -46,7 +46,7 @@ StepRecord StepSolver::solve(int number, Fields& fields) {
   if (status > 0) record.message = last_message();
   check(status, format("step %d", number));
   check(rc_contact_accuracy(contact_, &record.accuracy), "");
-  if (!fields.indentation.empty()) check(rc_contact_indentation(contact_, fields.indentation.data()), "");
+  if (!fields.indentation.empty()) check(rc_contact_indentation(contact_, RC_OUT(fields.indentation.data())), "");
   record.measures = measure(problem_, fields.pressure);
   return record;
 }

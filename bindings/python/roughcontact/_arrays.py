@@ -2,7 +2,7 @@
 
 import ctypes
 import operator
-from typing import Any, Optional, Sequence, Tuple, Type, Union
+from typing import Any, Dict, Optional, Sequence, Tuple, Type, TypeVar, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -169,18 +169,36 @@ def doubles_at(array: Union[rc_array, rc_const_array], shape: Shape) -> Doubles:
     return np.ctypeslib.as_array(ctypes.cast(array.data, ctypes.POINTER(ctypes.c_double)), shape)
 
 
+A = TypeVar("A", rc_array, rc_const_array)
+
+
+def _describe(array: A, values: Any) -> A:
+    if values is None:
+        return array
+    array.type = RC_SINGLE if np.dtype(values.dtype) == np.float32 else RC_NATIVE
+    if isinstance(values, DeviceArray):
+        array.data, array.memory = values.address, values.memory
+    else:
+        array.data = values.ctypes.data
+    return array
+
+
+def array_in(values: Optional[NDArray[Any]]) -> rc_const_array:
+    """An array that the library reads; None: none. values must be kept as long as it is used."""
+    return _describe(rc_const_array(), values)
+
+
+def array_out(values: Optional[NDArray[Any]]) -> rc_array:
+    """The same of an array that the library writes."""
+    return _describe(rc_array(), values)
+
+
 def given(members: S, **values: Any) -> S:
     """Sets members of a struct, of arrays to their address; those that are None stay as they are."""
     for name, value in values.items():
         member = getattr(members, name)
-        if value is None:
-            continue
         if isinstance(member, (rc_array, rc_const_array)):
-            member.type = RC_SINGLE if np.dtype(value.dtype) == np.float32 else RC_NATIVE
-            if isinstance(value, DeviceArray):
-                member.data, member.memory = value.address, value.memory
-            else:
-                member.data = value.ctypes.data
-        else:
-            setattr(members, name, pointer(value) if isinstance(value, np.ndarray) and value.ndim else value)
+            _describe(member, value)
+        elif value is not None:
+            setattr(members, name, value)
     return members

@@ -282,6 +282,6 @@ def gap_below(heights: Doubles, mask: Optional[NDArray[Any]], leading: int) -> D
     given, gap = as_doubles(heights, "heights"), np.empty(heights.shape)
     masks = None if mask is None else np.ascontiguousarray(np.broadcast_to(mask, heights.shape))
     for i in np.ndindex(heights.shape[:leading]) if leading else [...]:
-        there = None if masks is None else pointer(masks[i])
-        check(contact_library().rc_gap_from_heights(gap[i].size, pointer(given[i]), there, pointer(gap[i])))
+        there = array_in(None if masks is None else masks[i])
+        check(contact_library().rc_gap_from_heights(gap[i].size, array_in(given[i]), there, array_out(gap[i])))
     return gap

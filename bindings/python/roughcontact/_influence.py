@@ -56,8 +56,6 @@ class Influence(OwnsHandle):
         columns = array.ndim == 2 and array.shape[0] == n and array.shape != self.system.shape
         if not columns and array.shape not in (self.system.shape, (n,)):
             raise ShapeError(f"p has shape {array.shape}; {self.system.shape}, {(n,)} or ({n}, k) is needed")
-        if any(step % 8 for step in array.strides):
-            array = array.copy(order="K")
         u = np.empty_like(array)
         for one, answer in zip(array.T, u.T) if columns else [(array, u)]:
             self._apply(one, answer)
@@ -73,19 +71,14 @@ class Influence(OwnsHandle):
     H = T
 
     def _apply(self, p: Doubles, u: Doubles) -> None:
-        here, there = (self._distances(each) for each in (p, u))
+        one = np.ascontiguousarray(p)
+        answer = u if u.flags.c_contiguous else np.empty_like(one)
         with self._use.by_caller():
-            status = contact_library().rc_product_apply(self._handle, pointer(p), *here, pointer(u), *there)
+            status = contact_library().rc_product_apply(self._handle, array_in(one), array_out(answer))
             self._product.raise_first()
             check(status)
-
-    def _distances(self, array: Doubles) -> Tuple[int, int]:
-        """Values between neighbours in x and in y."""
-        steps = tuple(step // 8 for step in array.strides)
-        if array.ndim == 2:
-            return steps[1], steps[0]
-        columns = self.system.shape[-1]
-        return steps[0], steps[0] * columns
+        if answer is not u:
+            u[...] = answer
 
     def __repr__(self) -> str:
         return f"Influence({self.system!r})"

@@ -158,7 +158,7 @@ class Law(OwnsHandle):
     def _evaluated(self, x: ArrayLike) -> Tuple[Any, Any, Any]:
         xs = as_doubles(x, "x")
         outputs = tuple(np.empty_like(xs) for _ in range(3))
-        check(contact_library().rc_law_pressures(self._handle, xs.size, pointer(xs), *map(pointer, outputs)))
+        check(contact_library().rc_law_pressures(self._handle, xs.size, array_in(xs), *map(array_out, outputs)))
         p, slope, energy = (output[()] for output in outputs)
         return p, slope, energy
 
@@ -217,7 +217,7 @@ def law(
     what = pressed(_constants.RC_CALL_LAW, heights, undeformed_gap, mask, system, {**given_words, "pressure": pressure})
     found, gap, points = what.system, what.gap, what.mask
     spec = rc_law_spec()
-    spec.undeformed_gap, spec.mask = pointer(gap), pointer(points)
+    given(spec, undeformed_gap=gap, mask=points)
     spec.p_lower, spec.p_upper = what.needed().given.tolist()
     spec.tolerance, spec.tolerance_conductance, spec.area, spec.max_nodes = (
         tolerance,

@@ -59,9 +59,9 @@ def measures_of(pressure: Any, grid: Any) -> Measures:
 def _patch_areas(p: Doubles, mask: Optional[Mask], system: Any) -> Doubles:
     """Without labels of the points."""
     counted = rc_patches()
-    check(contact_library().rc_patches_find(system, pointer(p), pointer(mask), counted))
+    check(contact_library().rc_patches_find(system, array_in(p), array_in(mask), counted))
     areas = np.empty(counted.count)
     check(
-        contact_library().rc_patches_find(system, pointer(p), pointer(mask), given(rc_patches(), room=len(areas), area=areas))
+        contact_library().rc_patches_find(system, array_in(p), array_in(mask), given(rc_patches(), room=len(areas), area=areas))
     )
     return areas

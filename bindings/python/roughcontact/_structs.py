@@ -61,20 +61,20 @@ rc_history_fn = callback(int32_t, int64_t, rc_result, handle)
 
 @struct
 class rc_columns(Sized):
-    members = """doubles load approach contact_area mean_gap energy stiffness load_lower load_upper area_lower area_upper;
-    doubles stiffness_lower stiffness_upper certificate; integers iterations products; statuses status"""
+    members = """rc_array load approach contact_area mean_gap energy stiffness load_lower load_upper area_lower area_upper;
+    rc_array stiffness_lower stiffness_upper certificate iterations products status"""
 
 
 @struct
 class rc_history(Sized):
-    members = """size_t struct_size; int32_t control warm_start=1; int64_t n; doubles targets undeformed_gap; bytes_ mask;
+    members = """size_t struct_size; int32_t control warm_start=1; int64_t n; rc_const_array targets undeformed_gap mask;
     rc_history_fn fn; handle user; int64_t completed; int32_t want_gap=1 virgin; rc_columns columns"""
 
 
 @struct
 class rc_state(Sized):
-    members = """size_t struct_size; doubles undeformed_gap; bytes_ mask; doubles p; double approach load; doubles p_before;
-    double approach_before load_before; doubles indentation"""
+    members = """size_t struct_size; rc_const_array undeformed_gap mask p; double approach load; rc_const_array p_before;
+    double approach_before load_before; rc_const_array indentation"""
 
 
 rc_batch_fn = callback(int32_t, int64_t, int64_t, rc_result, handle)
@@ -85,27 +85,28 @@ rc_batch_progress_fn = callback(int32_t, int64_t, handle)
 
 @struct
 class rc_batch(Sized):
-    members = """size_t struct_size; int32_t control warm_start=1; int64_t n steps; doubles targets; int64_t target_stride;
-    doubles undeformed_gap; int64_t undeformed_gap_stride; bytes_ mask; int64_t mask_stride; doubles p0 p;
-    rc_batch_fn fn; handle user; int64_t written certified first=-1; rc_batch_progress_fn progress;
-    int32_t virgin reserved; rc_columns columns"""
+    members = """size_t struct_size; int32_t control warm_start=1; int64_t n steps; rc_const_array targets;
+    int64_t target_stride; rc_const_array undeformed_gap; int64_t undeformed_gap_stride; rc_const_array mask;
+    int64_t mask_stride; rc_const_array p0; rc_array p; rc_batch_fn fn; handle user;
+    int64_t written certified first=-1; rc_batch_progress_fn progress; int32_t virgin reserved;
+    rc_columns columns"""
 
 
 @struct
 class rc_level(Sized):
-    members = """size_t struct_size; doubles p; rc_status status=RC_ERR_ARGUMENT; int32_t reserved; int64_t nx ny;
+    members = """size_t struct_size; rc_array p; rc_status status=RC_ERR_ARGUMENT; int32_t reserved; int64_t nx ny;
     double hx hy approach load; int64_t candidates contacts"""
 
 
 @struct
 class rc_gradient(Sized):
-    members = """size_t struct_size; doubles dJ_dp dJ_dgap; double dJ_dload dJ_dapproach; doubles dJ_dundeformed_gap;
+    members = """size_t struct_size; rc_const_array dJ_dp dJ_dgap; double dJ_dload dJ_dapproach; rc_array dJ_dundeformed_gap;
     double dJ_dtarget dJ_dmodulus error; int64_t undecided products"""
 
 
 @struct
 class rc_tangent(Sized):
-    members = """size_t struct_size; doubles dundeformed_gap; double dtarget dmodulus; doubles dp dgap;
+    members = """size_t struct_size; rc_const_array dundeformed_gap; double dtarget dmodulus; rc_array dp dgap;
     double dload dapproach error; int64_t undecided products"""
 
 
@@ -122,13 +123,13 @@ class rc_area(Sized):
 
 @struct
 class rc_patches(Sized):
-    members = """size_t struct_size; int32_t neighbours=4 reserved; int64_t room; integers label cells;
-    doubles area perimeter load mean_pressure max_pressure; integers peak; int64_t count"""
+    members = """size_t struct_size; int32_t neighbours=4 reserved; int64_t room;
+    rc_array label cells area perimeter load mean_pressure max_pressure peak; int64_t count"""
 
 
 @struct
 class rc_histogram(Sized):
-    members = """size_t struct_size; int64_t bins; double upper; integers counts; doubles density; double width;
+    members = """size_t struct_size; int64_t bins; double upper; rc_array counts density; double width;
     int64_t contacts above; double mean_pressure max_pressure"""
 
 
@@ -139,7 +140,7 @@ class rc_crossing(Sized):
 
 @struct
 class rc_law_spec(Sized):
-    members = """size_t struct_size; doubles undeformed_gap; bytes_ mask;
+    members = """size_t struct_size; rc_const_array undeformed_gap mask;
     double area p_lower p_upper tolerance=0.001 tolerance_conductance; int32_t bulk reserved;
     double bulk_stiffness; int64_t max_nodes; rc_progress_fn progress; handle user"""
 

@@ -145,7 +145,7 @@ def area(pressure: ArrayLike, *, pitch: Pitch, periodic: Repeats = False, mask: 
     """
     system, p, m = _grid(pressure, pitch, periodic, mask)
     out = rc_area()
-    check(contact_library().rc_area_measure(system, pointer(p), pointer(m), out))
+    check(contact_library().rc_area_measure(system, array_in(p), array_in(m), out))
     return Area(**members_for(Area, out))
 
 
@@ -157,14 +157,14 @@ def patches(
     library = contact_library()
     label = np.empty(p.shape, np.int64)
     struct = given(rc_patches(), label=label, neighbours=8 if corners else None)
-    check(library.rc_patches_find(system, pointer(p), pointer(m), struct))
+    check(library.rc_patches_find(system, array_in(p), array_in(m), struct))
     whole: Dict[str, Any] = {name: np.empty(struct.count, np.int64) for name in ("cells", "peak")}
     real: Dict[str, Any] = {
         name: np.empty(struct.count) for name in ("area", "perimeter", "load", "mean_pressure", "max_pressure")
     }
-    struct.room, struct.label = struct.count, None
+    struct.room, struct.label = struct.count, array_out(None)
     given(struct, **whole, **real)
-    check(library.rc_patches_find(system, pointer(p), pointer(m), struct))
+    check(library.rc_patches_find(system, array_in(p), array_in(m), struct))
     return Patches(label=label, **whole, **real)
 
 
@@ -182,7 +182,7 @@ def histogram(
     bins = as_int(bins, "bins")
     counts, density = np.zeros(max(bins, 0), np.int64), np.zeros(max(bins, 0))
     struct = given(rc_histogram(), bins=bins, upper=upper, counts=counts, density=density)
-    check(contact_library().rc_histogram_fill(system, pointer(p), pointer(m), struct))
+    check(contact_library().rc_histogram_fill(system, array_in(p), array_in(m), struct))
     own = {"edges": struct.width * np.arange(bins + 1), "counts": counts, "density": density}
     return Histogram(**{**members_for(Histogram, struct), **own})
 
@@ -195,7 +195,7 @@ def crossing(pressure: ArrayLike, *, pitch: Pitch = 1.0, periodic: Repeats = Fal
     """
     system, p, m = _grid(pressure, pitch, periodic, mask)
     out = rc_crossing()
-    check(contact_library().rc_crossing_find(system, pointer(p), pointer(m), out))
+    check(contact_library().rc_crossing_find(system, array_in(p), array_in(m), out))
     along = {(0, 0): "none", (1, 0): "x", (0, 1): "y", (1, 1): "xy"}
     return Crossing(along[out.contact_x, out.contact_y], along[out.gap_x, out.gap_y], axes_of(periodic))
 
@@ -229,7 +229,7 @@ def punch_stiffness(
 
     def call() -> int:
         with OptionSet(options, context) as handle:
-            return int(contact_library().rc_punch_stiffness(struct, pointer(touching), handle, *found))
+            return int(contact_library().rc_punch_stiffness(struct, array_in(touching), handle, *found))
 
     status, message, interrupt = interruptible(call, keep=(system, product, touching))
     conclude(status, message, interrupt, None, status == Status.STOP_CANCELLED, product)

@@ -271,7 +271,7 @@ class Contact(Handle):
                 if library.rc_contact_level(handle, len(found), level) < 0:
                     return found
                 pressure = np.zeros((level.ny, level.nx))
-                level.p = pointer(pressure)
+                given(level, p=pressure)
                 check(library.rc_contact_level(handle, len(found), level))
                 found.append(level_from(level, pressure))
 
@@ -281,9 +281,9 @@ class Contact(Handle):
         library = contact_library()
         n = ctypes.c_int64()
         with self._holding_or_inside() as handle:
-            check(library.rc_contact_points(handle, 0, None, None, n))
+            check(library.rc_contact_points(handle, 0, array_out(None), array_out(None), n))
             index, pressure = np.empty(n.value, np.int64), np.empty(n.value)
-            check(library.rc_contact_points(handle, n.value, pointer(index), pointer(pressure), n))
+            check(library.rc_contact_points(handle, n.value, array_out(index), array_out(pressure), n))
         return index, pressure
 
     def indentation(self) -> Doubles:
@@ -293,7 +293,7 @@ class Contact(Handle):
         """
         left = np.zeros(self.system.shape)
         with self._holding() as handle:
-            check(contact_library().rc_contact_indentation(handle, pointer(left)))
+            check(contact_library().rc_contact_indentation(handle, array_out(left)))
         return left
 
     def explain(self) -> str:

@@ -48,12 +48,12 @@ std::vector<Fact> facts_of(const rc_history& path) {
   std::vector<Fact> facts{{"rc_history.control", join(path.control)},
                           {"rc_history.warm_start", join(path.warm_start)},
                           {"rc_history.n", join(path.n)},
-                          {"rc_history.undeformed_gap", path.undeformed_gap ? "given" : "none"},
-                          {"rc_history.mask", path.mask ? "given" : "none"},
+                          {"the type of rc_history.undeformed_gap", which(path.undeformed_gap)},
+                          {"rc_history.mask", path.mask.data ? "given" : "none"},
                           {"rc_history.fn", path.fn ? "given" : "none"},
                           {"rc_history.want_gap", join(path.want_gap)},
                           {"rc_history.virgin", join(path.virgin)}};
-  for (const auto& [name, output] : {std::pair{"mean_gap", path.columns.mean_gap},
+  for (const auto& [name, output] : {std::pair<const char*, const rc_array&>{"mean_gap", path.columns.mean_gap},
                                      {"stiffness", path.columns.stiffness},
                                      {"load_lower", path.columns.load_lower},
                                      {"load_upper", path.columns.load_upper},
@@ -61,9 +61,9 @@ std::vector<Fact> facts_of(const rc_history& path) {
                                      {"area_upper", path.columns.area_upper},
                                      {"stiffness_lower", path.columns.stiffness_lower},
                                      {"stiffness_upper", path.columns.stiffness_upper}})
-    facts.push_back({join("rc_history.columns.", name), output ? "given" : "none"});
-  for (std::int64_t i = 0; path.targets && i < path.n; ++i)
-    facts.push_back({join("rc_history.targets[", i, "]"), exact(path.targets[i])});
+    facts.push_back({join("rc_history.columns.", name), output.data ? "given" : "none"});
+  for (std::int64_t i = 0; path.targets.data && i < path.n; ++i)
+    facts.push_back({join("rc_history.targets[", i, "]"), exact(values_of<double>(path.targets)[i])});
   return facts;
 }
 

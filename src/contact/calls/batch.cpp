@@ -56,18 +56,18 @@ struct Request {
     if (given.n > most_values / std::max(given.steps, points))
       fail(RC_ERR_SHAPE, "rc_batch: n = ", given.n, " contacts of ", std::max(given.steps, points), " values are more than ",
            most_values, " values");
-    if (!given.targets) fail(RC_ERR_ARGUMENT, "rc_batch.targets is null but n = ", given.n, " and steps = ", given.steps);
-    if (!given.undeformed_gap) fail(RC_ERR_ARGUMENT, "rc_batch.undeformed_gap is null but n = ", given.n);
+    if (!given.targets.data) fail(RC_ERR_ARGUMENT, "rc_batch.targets is null but n = ", given.n, " and steps = ", given.steps);
+    if (!given.undeformed_gap.data) fail(RC_ERR_ARGUMENT, "rc_batch.undeformed_gap is null but n = ", given.n);
     if (given.control != RC_CONTROL_PRESSURE) return;
     const std::int64_t targets = (given.n - 1) * given.target_stride + given.steps;
-    for (std::int64_t i = 0; i < targets; ++i) loads.push_back(given.targets[i] * nominal_area(system));
+    for (std::int64_t i = 0; i < targets; ++i) loads.push_back(values_of<double>(given.targets)[i] * nominal_area(system));
     for_many.control = RC_CONTROL_LOAD;
-    for_many.targets = loads.data();
+    for_many.targets = RC_IN(loads.data());
   }
   Request(const Request&) = delete;
   Request& operator=(const Request&) = delete;
 
-  double target(std::int64_t i, std::int64_t k) const { return given.targets[i * given.target_stride + k]; }
+  double target(std::int64_t i, std::int64_t k) const { return values_of<double>(given.targets)[i * given.target_stride + k]; }
 
   rc_step step(std::int64_t i, std::int64_t k) const {
     rc_step step = RC_STEP_INIT;
@@ -75,13 +75,13 @@ struct Request {
     step.warm_start = given.warm_start;
     step.target = target(i, k);
     if (k > 0) return step;  // later steps keep the surface of the first
-    step.undeformed_gap.data = given.undeformed_gap + i * given.undeformed_gap_stride;
-    step.mask.data = given.mask ? given.mask + i * given.mask_stride : nullptr;
+    step.undeformed_gap = from_value(given.undeformed_gap, i * given.undeformed_gap_stride, sizeof(double));
+    step.mask = from_value(given.mask, i * given.mask_stride, sizeof(std::uint8_t));
     step.borrow = 1;  // the caller's arrays outlive the contacts
-    step.p0.data = given.p0 ? given.p0 + i * points : nullptr;
+    step.p0 = from_value(given.p0, i * points, sizeof(double));
     return step;
   }
-  double* pressures(std::int64_t i) const { return given.p ? given.p + i * points : nullptr; }
+  OutputArray pressures(std::int64_t i) const { return OutputArray(from_value(given.p, i * points, sizeof(double))); }
 
   void write(std::int64_t i, std::int64_t k, const Numbers& numbers, const System& system) const {
     put_numbers(given.columns, i * given.steps + k, numbers, system);
@@ -202,7 +202,7 @@ class Worker {
     contact_->ask({options.integer(RC_OPT_STIFFNESS), options.integer(RC_OPT_BOUNDS), request.given.virgin == 0});
     const auto points = static_cast<std::size_t>(request_.points);
     if (request_.given.fn) p_.resize(points);
-    if (request_.given.fn || request_.given.columns.mean_gap) gap_.resize(points);
+    if (request_.given.fn || request_.given.columns.mean_gap.data) gap_.resize(points);
   }
 
   void work() {
@@ -244,7 +244,7 @@ class Worker {
     const std::int64_t steps = request_.given.steps, first = k * steps;
     for (std::int64_t step = 0; step < steps; ++step)
       request_.write(i, step, many_->numbers(answers.all[static_cast<std::size_t>(first + step)], i, step), system());
-    if (double* const to = request_.pressures(i))
+    if (double* const to = values_of<double>(request_.pressures(i).array))
       std::copy_n(answers.p.data() + (first + steps - 1) * request_.points, request_.points, to);
   }
 
@@ -286,8 +286,8 @@ class Worker {
   }
 
   Outputs outputs(std::int64_t i) {
-    double* const p = request_.pressures(i);
-    return {{p || p_.empty() ? p : p_.data()}, {gap_.empty() ? nullptr : gap_.data()}};
+    const OutputArray p = request_.pressures(i);
+    return {p.wanted() || p_.empty() ? p : OutputArray(p_.data()), {gap_.empty() ? nullptr : gap_.data()}};
   }
 
   rc_status solve(std::int64_t i, std::int64_t k, const Outputs& outputs, Numbers& numbers) {

@@ -17,8 +17,8 @@ namespace {
 
 // The plastic indentation in rc_state; empty if it is null or all zeros.
 Indentation indentation_of(const rc_state& state, const System& system) {
-  if (!state.indentation) return {};
-  const std::span<const double> depth(state.indentation, static_cast<std::size_t>(system.points()));
+  if (!state.indentation.data) return {};
+  const std::span<const double> depth(values_of<double>(state.indentation), static_cast<std::size_t>(system.points()));
   for (std::size_t i = 0; i < depth.size(); ++i) {
     if (!(depth[i] >= 0 && std::isfinite(depth[i])))
       fail(RC_ERR_ARGUMENT, "rc_state.indentation[", i, "] = ", depth[i], " must be finite and >= 0");
@@ -26,7 +26,7 @@ Indentation indentation_of(const rc_state& state, const System& system) {
       fail(RC_ERR_ARGUMENT, "rc_state.indentation[", i, "] = ", depth[i], " but the system has no hardness");
   }
   if (std::all_of(depth.begin(), depth.end(), [](double value) { return value == 0; })) return {};
-  return {depth, std::span(state.undeformed_gap, depth.size())};
+  return {depth, std::span(values_of<double>(state.undeformed_gap), depth.size())};
 }
 
 }  // namespace
@@ -130,10 +130,10 @@ void Contact::drop_copies() {
 void Contact::restore(const rc_state& state) {
   const System& system = problem().system;
   const auto n = static_cast<std::size_t>(system.points());
-  if (!state.undeformed_gap) fail(RC_ERR_ARGUMENT, "rc_state.undeformed_gap is null");
-  if (!state.p && state.p_before) fail(RC_ERR_ARGUMENT, "rc_state.p is null but rc_state.p_before is not");
-  const std::span<const double> gap(state.undeformed_gap, n);
-  const std::span<const std::uint8_t> mask(state.mask, state.mask ? n : 0);
+  if (!state.undeformed_gap.data) fail(RC_ERR_ARGUMENT, "rc_state.undeformed_gap is null");
+  if (!state.p.data && state.p_before.data) fail(RC_ERR_ARGUMENT, "rc_state.p is null but rc_state.p_before is not");
+  const std::span<const double> gap(values_of<double>(state.undeformed_gap), n);
+  const std::span<const std::uint8_t> mask(values_of<std::uint8_t>(state.mask), state.mask.data ? n : 0);
   Indentation indentation = indentation_of(state, system);
   const std::vector<double> indented = indentation.indented();
   StepSurface surface({system.given.nx, system.given.ny, indentation.none() ? GapValues(gap) : GapValues(indented), mask, false},

@@ -14,29 +14,31 @@ namespace rc {
 
 namespace {
 
+double target(const rc_history& history, std::int64_t i) { return values_of<double>(history.targets)[i]; }
+
 void check_history(const rc_history& history) {
   if (history.n < 0) fail(RC_ERR_ARGUMENT, "rc_history.n = ", history.n, " must be >= 0");
   check_control(history.control, "rc_history.control");
-  if (history.n > 0 && !history.targets) fail(RC_ERR_ARGUMENT, "rc_history.targets is null but rc_history.n = ", history.n);
+  if (history.n > 0 && !history.targets.data) fail(RC_ERR_ARGUMENT, "rc_history.targets is null but rc_history.n = ", history.n);
   for (std::int64_t i = 0; i < history.n; ++i)
-    if (!std::isfinite(history.targets[i]))
-      fail(RC_ERR_ARGUMENT, "rc_history.targets[", i, "] = ", history.targets[i], " is not finite");
+    if (!std::isfinite(target(history, i)))
+      fail(RC_ERR_ARGUMENT, "rc_history.targets[", i, "] = ", target(history, i), " is not finite");
 }
 
 rc_step history_step(const rc_history& history, std::int64_t i) {
   rc_step step = RC_STEP_INIT;
   step.control = history.control;
   step.warm_start = history.warm_start;
-  step.target = history.targets[i];
+  step.target = target(history, i);
   if (i == 0) {  // later steps keep the surface of the first
-    step.undeformed_gap.data = history.undeformed_gap;
-    step.mask.data = history.mask;
+    step.undeformed_gap = history.undeformed_gap;
+    step.mask = history.mask;
   }
   return step;
 }
 
 std::string where(const rc_history& history, std::int64_t i) {
-  return join("step ", i, ", targets[", i, "] = ", history.targets[i]);
+  return join("step ", i, ", targets[", i, "] = ", target(history, i));
 }
 
 std::int32_t shown(const rc_history& history, std::int64_t i, const rc_result& result) {
@@ -70,7 +72,7 @@ HistoryWants wants_of(const rc_history& history) {
   HistoryWants wants;
   wants.virgin = history.virgin != 0;
   wants.shown_gap = history.fn && history.want_gap != 0;
-  wants.gap = wants.shown_gap || history.columns.mean_gap;
+  wants.gap = wants.shown_gap || history.columns.mean_gap.data;
   wants.columns = wants_of(history.columns);
   return wants;
 }

@@ -17,10 +17,14 @@ namespace {
 // Pressures of one call: enough to be worth it, few enough for a stop to be seen soon and for 256 MiB of memory.
 constexpr std::int64_t least_together = std::int64_t{1} << 22, most_together = std::int64_t{1} << 25;
 
+bool any_floats(const rc_batch& batch) {
+  return batch.undeformed_gap.type == RC_SINGLE || batch.p0.type == RC_SINGLE || batch.p.type == RC_SINGLE;
+}
+
 // Whether the call wants outputs that rc_many_answer does not have.
 bool asks_for_more(const GridProblem& problem, const rc_batch& batch) {
   const rc_options& options = problem.options;
-  return batch.virgin != 0 || batch.fn || batch.columns.mean_gap || batch.columns.energy ||
+  return batch.virgin != 0 || batch.fn || batch.columns.mean_gap.data || batch.columns.energy.data ||
          options.integer(RC_OPT_STIFFNESS) != 0 || options.integer(RC_OPT_BOUNDS) != 0 || problem.goal.error > 0 ||
          !options.text(RC_OPT_CERTIFY_BACKEND).empty() || options.text(RC_OPT_WARMUP) != "none";
 }
@@ -29,7 +33,7 @@ bool asks_for_more(const GridProblem& problem, const rc_batch& batch) {
 
 std::optional<ManySolve> ManySolve::of(const GridProblem& problem, const rc_batch& batch, std::int64_t threads) {
   const std::int64_t points = problem.system.points();
-  if (batch.n < 2 || batch.steps < 1 || batch.control == RC_CONTROL_AREA || !problem.system.halfspace() ||
+  if (batch.n < 2 || batch.steps < 1 || batch.control == RC_CONTROL_AREA || !problem.system.halfspace() || any_floats(batch) ||
       asks_for_more(problem, batch))
     return std::nullopt;
   ManySolve many(problem, batch);
@@ -69,13 +73,13 @@ ManySolve::Request ManySolve::request(std::int64_t first, std::int64_t n) const 
   request.control = batch_.control;
   request.warm_start = batch_.warm_start;
   request.backend = backend_.c_str();
-  request.targets = batch_.targets + first * batch_.target_stride;
+  request.targets = values_of<double>(batch_.targets) + first * batch_.target_stride;
   request.target_stride = batch_.target_stride;
-  request.undeformed_gap = batch_.undeformed_gap + first * batch_.undeformed_gap_stride;
+  request.undeformed_gap = values_of<double>(batch_.undeformed_gap) + first * batch_.undeformed_gap_stride;
   request.undeformed_gap_stride = batch_.undeformed_gap_stride;
-  request.mask = batch_.mask ? batch_.mask + first * batch_.mask_stride : nullptr;
+  request.mask = values_of<std::uint8_t>(from_value(batch_.mask, first * batch_.mask_stride, sizeof(std::uint8_t)));
   request.mask_stride = batch_.mask_stride;
-  request.p0 = batch_.p0 ? batch_.p0 + first * system.points() : nullptr;
+  request.p0 = values_of<double>(from_value(batch_.p0, first * system.points(), sizeof(double)));
   request.length_per_pressure = system.length_per_pressure;
   request.hardness = system.hardness;
   request.least_deflection = system.bounds.least_deflection * system.length_per_pressure;
@@ -117,7 +121,7 @@ void ManySolve::log(std::int64_t first, std::int64_t last, const char* why) cons
 }
 
 Numbers ManySolve::numbers(const rc_many_answer& answer, std::int64_t i, std::int64_t k) const {
-  const double target = batch_.targets[i * batch_.target_stride + k];
+  const double target = values_of<double>(batch_.targets)[i * batch_.target_stride + k];
   const bool by_load = batch_.control == RC_CONTROL_LOAD;
   Numbers numbers;
   numbers.totals.sum = answer.sum;

@@ -70,11 +70,15 @@ class Check {
     const auto n = static_cast<std::size_t>(system_.points());
     return std::span(answers_.p).subspan(static_cast<std::size_t>(i * batch_.steps + k) * n, n);
   }
-  const double* gap(std::int64_t i) const { return batch_.undeformed_gap + (first_ + i) * batch_.undeformed_gap_stride; }
-  const std::uint8_t* mask(std::int64_t i) const {
-    return batch_.mask ? batch_.mask + (first_ + i) * batch_.mask_stride : nullptr;
+  const double* gap(std::int64_t i) const {
+    return values_of<double>(batch_.undeformed_gap) + (first_ + i) * batch_.undeformed_gap_stride;
   }
-  double target(std::int64_t i, std::int64_t k) const { return batch_.targets[(first_ + i) * batch_.target_stride + k]; }
+  const std::uint8_t* mask(std::int64_t i) const {
+    return values_of<std::uint8_t>(from_value(batch_.mask, (first_ + i) * batch_.mask_stride, sizeof(std::uint8_t)));
+  }
+  double target(std::int64_t i, std::int64_t k) const {
+    return values_of<double>(batch_.targets)[(first_ + i) * batch_.target_stride + k];
+  }
   bool by_load() const { return batch_.control == RC_CONTROL_LOAD; }
 
   double lowest_gap(std::int64_t i) const {

@@ -39,29 +39,31 @@ const rc_system& checked(const rc_system& system, const rc_options& options) {
 // A rank without rows gives no arrays; this stands for them and is neither read nor written.
 const double stand_in = 0;
 
+constexpr std::int32_t no_array = -1;
+template <class Array> std::int32_t given_type(const Array& array) { return array.data ? array.type : no_array; }
+template <class Array> void stand_in_for(Array& array, std::int32_t type) {
+  array = {};
+  if (type == no_array) return;
+  array.data = const_cast<double*>(&stand_in);
+  array.type = type;
+}
+
 // The types of the arrays that rank 0, which has rows, gives.
 struct Given {
-  static constexpr std::int32_t none = -1;
   std::int32_t gap, mask, p0, p, deformed;
 };
 
 void stand_in_for(const Given& given, rc_step& step, Outputs& outputs) {
-  const auto put = [](auto& array, std::int32_t type) {
-    array = {};
-    if (type == Given::none) return;
-    array.data = const_cast<double*>(&stand_in);
-    array.type = type;
-  };
-  put(step.undeformed_gap, given.gap);
-  put(step.mask, given.mask);
-  put(step.p0, given.p0);
-  put(outputs.p.array, given.p);
-  put(outputs.gap.array, given.deformed);
+  stand_in_for(step.undeformed_gap, given.gap);
+  stand_in_for(step.mask, given.mask);
+  stand_in_for(step.p0, given.p0);
+  stand_in_for(outputs.p.array, given.p);
+  stand_in_for(outputs.gap.array, given.deformed);
 }
 
 Given given_by(const rc_step& step, const Outputs& outputs) {
-  const auto type = [](const auto& array) { return array.data ? array.type : Given::none; };
-  return {type(step.undeformed_gap), type(step.mask), type(step.p0), type(outputs.p.array), type(outputs.gap.array)};
+  return {given_type(step.undeformed_gap), given_type(step.mask), given_type(step.p0), given_type(outputs.p.array),
+          given_type(outputs.gap.array)};
 }
 
 // A rank that solves the whole problem by itself has its own clock and flag. If they end its call, this ends the calls of all
@@ -142,12 +144,12 @@ Numbers SharedContact::run(const rc_step& step, const Outputs& outputs, bool jud
 rc_status SharedContact::run(const rc_history& path, std::int64_t& completed) {
   rc_history asked = path;
   check_agreement(ranks_, facts_of(asked), ranks_.rows() > 0);
-  const std::vector<char> has_mask = ranks_.of_each(static_cast<char>(asked.mask != nullptr)),
-                          has_gap = ranks_.of_each(static_cast<char>(asked.undeformed_gap != nullptr));
+  const std::int32_t gap_type = ranks_.of_each(given_type(asked.undeformed_gap)).front(),
+                     mask_type = ranks_.of_each(given_type(asked.mask)).front();
   const HistoryWants wants = ranks_.of_each(wants_of(asked)).front();
   if (ranks_.rows() == 0) {
-    asked.undeformed_gap = has_gap.front() != 0 ? &stand_in : nullptr;
-    asked.mask = has_mask.front() != 0 ? reinterpret_cast<const std::uint8_t*>(&stand_in) : nullptr;
+    stand_in_for(asked.undeformed_gap, gap_type);
+    stand_in_for(asked.mask, mask_type);
   }
   // The caller's function gets this rank's rows; if it ends the history on one rank, all end it.
   struct CallersFunction {
@@ -172,11 +174,8 @@ rc_status SharedContact::run(const rc_history& path, std::int64_t& completed) {
   }
   std::vector<std::byte> gap, mask;
   if (alike_) {
-    const auto whole = [&]<class Value>(const Value*& array, std::vector<std::byte>& all) {
-      array = static_cast<const Value*>(gathered({array, RC_NATIVE, 0, nullptr}, sizeof(Value), all).data);
-    };
-    whole(inner.undeformed_gap, gap);
-    whole(inner.mask, mask);
+    inner.undeformed_gap = gathered(inner.undeformed_gap, sizeof(double), gap);
+    inner.mask = gathered(inner.mask, sizeof(std::uint8_t), mask);
   }
   const rc_status status = rc::solve_history(*contact_, inner, wants, completed);
   if (alike_ && !callers.ended) stop_all(status, last_message());

@@ -10,9 +10,9 @@
 
 namespace rc {
 
-// to: null if the caller does not want it.
-template <class Number> void put(Number* to, std::int64_t i, Number value) {
-  if (to) to[i] = value;
+// to: none if the caller does not want it.
+template <class Number> void put(const rc_array& to, std::int64_t i, Number value) {
+  if (to.data) values_of<Number>(to)[i] = value;
 }
 
 inline void put_numbers(const rc_columns& to, std::int64_t i, const Numbers& numbers, const System& system) {
@@ -36,11 +36,11 @@ inline void put_numbers(const rc_columns& to, std::int64_t i, const Numbers& num
 
 // A step without an answer.
 inline void put_none(const rc_columns& to, std::int64_t i, rc_status status) {
-  for (double* const values :
+  for (const rc_array& values :
        {to.load, to.approach, to.contact_area, to.mean_gap, to.energy, to.stiffness, to.load_lower, to.load_upper, to.area_lower,
         to.area_upper, to.stiffness_lower, to.stiffness_upper, to.certificate})
     put(values, i, std::numeric_limits<double>::quiet_NaN());
-  for (std::int64_t* const counts : {to.iterations, to.products}) put(counts, i, std::int64_t{-1});
+  for (const rc_array& counts : {to.iterations, to.products}) put(counts, i, std::int64_t{-1});
   put(to.status, i, status);
 }
 
@@ -49,11 +49,12 @@ struct ColumnWants {
   std::int64_t stiffness, bounds;
 };
 inline ColumnWants wants_of(const rc_columns& columns) {
-  const bool stiffness_interval = columns.stiffness_lower || columns.stiffness_upper;
-  return {stiffness_interval  ? 2
-          : columns.stiffness ? 1
-                              : 0,
-          stiffness_interval || columns.load_lower || columns.load_upper || columns.area_lower || columns.area_upper};
+  const bool stiffness_interval = columns.stiffness_lower.data || columns.stiffness_upper.data;
+  return {stiffness_interval       ? 2
+          : columns.stiffness.data ? 1
+                                   : 0,
+          stiffness_interval || columns.load_lower.data || columns.load_upper.data || columns.area_lower.data ||
+              columns.area_upper.data};
 }
 
 }  // namespace rc

@@ -41,7 +41,7 @@ std::optional<IndentedSurface> given_surface(const rc_step& step, const GridProb
   if (!given_anew && problem.surface.empty())
     fail(RC_ERR_ARGUMENT, "rc_step.undeformed_gap.data is null and no earlier step gave one");
   if (!given_anew && !step.mask.data) return std::nullopt;
-  const std::span<const std::uint8_t> mask(mask_of(step), step.mask.data ? n : 0);
+  const std::span<const std::uint8_t> mask(values_of<std::uint8_t>(step.mask), step.mask.data ? n : 0);
   if (!indentation.none()) {
     IndentedSurface given{{}, given_anew ? indentation.of(gap) : indentation};
     given.surface = surface_with(given.indentation, mask, problem);
@@ -62,7 +62,7 @@ void check_pressures(const rc_step& step, const Outputs& outputs, const GridProb
       const double p = outputs.p.at(i);
       const auto at = [&] { return place(problem.company().first_row() * problem.system.given.nx + k, problem.system.given.nx); };
       if (!std::isfinite(p)) fail(RC_ERR_ARGUMENT, "rc_result.p[", i, "] = ", p, " is not finite (", at(), ")");
-      if (p != 0 && (step.mask.data ? mask_of(step)[i] == 0 : !step.undeformed_gap.data && !last.empty() && !last.included(i)))
+      if (p != 0 && (step.mask.data ? values_of<std::uint8_t>(step.mask)[i] == 0 : !step.undeformed_gap.data && !last.empty() && !last.included(i)))
         fail(RC_ERR_ARGUMENT, "rc_result.p[", i, "] = ", p, " but this point is excluded by the mask (", at(), ")");
     }
   });

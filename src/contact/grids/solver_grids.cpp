@@ -63,7 +63,7 @@ rc_status SolverGrids::solve(rc_coarse& request, const GridProblem& problem, con
     return status;
   }
   if (request.keep != keep_answer) return status;
-  level.summary = {sizeof(rc_level), nullptr,
+  level.summary = {sizeof(rc_level), {},
                    status,           0,
                    system.nx,        system.ny,
                    system.hx,        system.hy,
@@ -128,10 +128,10 @@ void SolverGrids::describe(std::int64_t i, rc_level& out) const {
     fail(RC_ERR_ARGUMENT, "level = ", i, ": the last step left ", count, " coarse solutions, numbered from 0");
   for (const auto& [points, level] : levels_) {
     if (!level.current || i-- > 0) continue;
-    double* const p = out.p;
+    const rc_array p = out.p;
     out = level.summary;
     out.p = p;
-    if (p) std::copy(level.p.begin(), level.p.end(), p);
+    if (p.data) std::ranges::copy(level.p, values_of<double>(p));
     return;
   }
 }

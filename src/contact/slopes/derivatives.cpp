@@ -252,26 +252,27 @@ rc_status differentiate(const GridProblem& problem, const Memory& memory, const 
   const System& system = step.system();
   const ContactSet& set = step.set();
   const double area = system.cell_area();
-  step.check(request.dJ_dp, "rc_gradient.dJ_dp");
-  step.check(request.dJ_dgap, "rc_gradient.dJ_dgap");
+  const double *const dJ_dp = values_of<double>(request.dJ_dp), *const dJ_dgap = values_of<double>(request.dJ_dgap);
+  step.check(dJ_dp, "rc_gradient.dJ_dp");
+  step.check(dJ_dgap, "rc_gradient.dJ_dgap");
   check_finite(request.dJ_dload, "rc_gradient.dJ_dload");
   check_finite(request.dJ_dapproach, "rc_gradient.dJ_dapproach");
-  const bool nothing = !request.dJ_dp && !request.dJ_dgap && request.dJ_dload == 0 && request.dJ_dapproach == 0;
+  const bool nothing = !dJ_dp && !dJ_dgap && request.dJ_dload == 0 && request.dJ_dapproach == 0;
   const double by_load = nothing && !step.by_load() ? 1 : request.dJ_dload;
   double direct = nothing && step.by_load() ? 1 : request.dJ_dapproach;  // dJ/dd while p stays
   const std::size_t all = static_cast<std::size_t>(system.points());
-  const auto by_gap = [&](std::size_t i) { return request.dJ_dgap && step.included(i) ? request.dJ_dgap[i] : 0; };
+  const auto by_gap = [&](std::size_t i) { return dJ_dgap && step.included(i) ? dJ_dgap[i] : 0; };
   direct -= sum_of(all, by_gap);
 
   // b = (dJ/dp + H dJ/dg)_C / unit. It is a multiple of 1 if J depends on load and approach alone.
   Field product(set.loaded().p.size()), b(set.n());
-  if (request.dJ_dgap && !product.empty())
-    if (const rc_status status = step.multiplied(request.dJ_dgap, product); status != RC_OK) return status;
+  if (dJ_dgap && !product.empty())
+    if (const rc_status status = step.multiplied(dJ_dgap, product); status != RC_OK) return status;
   for (std::size_t k = 0; k < b.size(); ++k) {
-    const double by_p = (request.dJ_dp ? request.dJ_dp[set.point(k)] : 0) + by_load * area;
+    const double by_p = (dJ_dp ? dJ_dp[set.point(k)] : 0) + by_load * area;
     b[k] = by_p / step.unit() + product[set.among_loaded(k)];
   }
-  const bool uniform = !request.dJ_dp && !request.dJ_dgap;
+  const bool uniform = !dJ_dp && !dJ_dgap;
   Change w;
   if (const rc_status status = change(step, b, uniform, -direct, w); status != RC_OK) return status;
   request.dJ_dtarget = step.by_load() ? (w.sum + direct * (1 - w.mean * w.flat_sum)) * step.unit() / (area * w.flat_sum)
@@ -281,7 +282,7 @@ rc_status differentiate(const GridProblem& problem, const Memory& memory, const 
       system.halfspace() ? (dot(w.p, set.u()) - step.unit() * dot(product, set.loaded().p)) / system.given.modulus : unknown;
   request.undecided = step.undecided();
   request.products = step.products();
-  if (double* const out = request.dJ_dundeformed_gap) {
+  if (double* const out = values_of<double>(request.dJ_dundeformed_gap)) {
     for (std::size_t i = 0; i < all; ++i) out[i] = by_gap(i);
     for (std::size_t k = 0; k < w.p.size(); ++k) out[set.point(k)] -= w.p[k];
   }
@@ -293,16 +294,17 @@ rc_status differentiate(const GridProblem& problem, const Memory& memory, const 
   const System& system = step.system();
   const ContactSet& set = step.set();
   const double area = system.cell_area();
-  step.check(request.dundeformed_gap, "rc_tangent.dundeformed_gap");
+  const double* const change_of_gap = values_of<double>(request.dundeformed_gap);
+  step.check(change_of_gap, "rc_tangent.dundeformed_gap");
   check_finite(request.dtarget, "rc_tangent.dtarget");
   check_finite(request.dmodulus, "rc_tangent.dmodulus");
   if (!system.halfspace() && request.dmodulus != 0)
     fail(RC_ERR_ARGUMENT, "rc_tangent.dmodulus = ", request.dmodulus, " but the system is no half-space: it has no modulus");
   const double softer = system.halfspace() ? request.dmodulus / system.given.modulus : 0;
-  const auto dh = [&](std::size_t i) { return request.dundeformed_gap && step.included(i) ? request.dundeformed_gap[i] : 0; };
+  const auto dh = [&](std::size_t i) { return change_of_gap && step.included(i) ? change_of_gap[i] : 0; };
   double dd = step.by_load() ? 0 : request.dtarget;
 
-  const bool uniform = !request.dundeformed_gap && softer == 0;
+  const bool uniform = !change_of_gap && softer == 0;
   Field r(set.n());
   for (std::size_t k = 0; k < r.size(); ++k) r[k] = (dd - dh(set.point(k)) + softer * set.u()[k]) / step.unit();
   const double force = request.dtarget / area;
@@ -312,18 +314,18 @@ rc_status differentiate(const GridProblem& problem, const Memory& memory, const 
   const Field& dp = changed.p;
 
   const std::size_t all = static_cast<std::size_t>(system.points());
-  if (request.dgap) {
+  if (double* const dgap = values_of<double>(request.dgap)) {
     Field moved(all);
     Field stiffened = set.loaded().p;
     for (double& value : stiffened) value *= -softer;
     for (std::size_t k = 0; k < dp.size(); ++k) stiffened[set.among_loaded(k)] += dp[k];
     if (!stiffened.empty()) step.deflection(stiffened, moved);
-    for (std::size_t i = 0; i < all; ++i) request.dgap[i] = step.included(i) ? moved[i] - (dd - dh(i)) : 0;
-    for (std::size_t k = 0; k < dp.size(); ++k) request.dgap[set.point(k)] = 0;
+    for (std::size_t i = 0; i < all; ++i) dgap[i] = step.included(i) ? moved[i] - (dd - dh(i)) : 0;
+    for (std::size_t k = 0; k < dp.size(); ++k) dgap[set.point(k)] = 0;
   }
-  if (request.dp) {
-    std::fill_n(request.dp, all, 0.0);
-    for (std::size_t k = 0; k < dp.size(); ++k) request.dp[set.point(k)] = dp[k];
+  if (double* const out = values_of<double>(request.dp)) {
+    std::fill_n(out, all, 0.0);
+    for (std::size_t k = 0; k < dp.size(); ++k) out[set.point(k)] = dp[k];
   }
   request.dload = step.by_load() ? request.dtarget : total(dp) * area;
   request.dapproach = dd;

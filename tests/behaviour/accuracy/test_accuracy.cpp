@@ -238,9 +238,9 @@ void histories_go_on_within_their_goal() {
   rc_history path = RC_HISTORY_INIT;
   path.control = RC_CONTROL_APPROACH;
   path.n = 3;
-  path.targets = targets.data();
-  path.undeformed_gap = problem.gap.data();
-  path.columns.load = load.data();
+  path.targets = RC_IN(targets.data());
+  path.undeformed_gap = RC_IN(problem.gap.data());
+  path.columns.load = RC_OUT(load.data());
   struct Seen {
     rc_contact* contact;
     int known = 0;
@@ -263,7 +263,7 @@ void histories_go_on_within_their_goal() {
     check_near(load[k], solved(step, automatic, {{RC_OPT_TOL, "1e-8"}}).result.load, wanted * load[k], "load");
   }
   std::int64_t points = 0;
-  check_equal(rc_contact_points(contact.handle(), 0, nullptr, nullptr, &points), RC_OK, "rc_contact_points");
+  check_equal(rc_contact_points(contact.handle(), 0, {}, {}, &points), RC_OK, "rc_contact_points");
   check_equal(points, within_goal(problem, goal(wanted, "load")).result.contacts, "points in contact");
 
   // Another surface, then the first again: as new.
@@ -285,10 +285,10 @@ void batches_go_on_within_their_goal() {
   batch.control = RC_CONTROL_APPROACH;
   batch.n = 3;
   batch.steps = 1;
-  batch.undeformed_gap = gaps.data();
-  batch.targets = targets.data();
-  batch.columns.load = load.data();
-  batch.columns.status = status.data();
+  batch.undeformed_gap = RC_IN(gaps.data());
+  batch.targets = RC_IN(targets.data());
+  batch.columns.load = RC_OUT(load.data());
+  batch.columns.status = RC_OUT(status.data());
   check_equal(rc_batch_solve(&problem.system, options.get(), &batch), RC_WITHIN_GOAL, "status of the batch");
   check_equal(status[0], RC_WITHIN_GOAL, "status of a contact");
   check_equal(status[2], RC_OK, "status of the contact that does not touch");

@@ -15,7 +15,7 @@ constexpr std::int32_t free_sides = RC_BOUNDARY_FREE, periodic = RC_BOUNDARY_PER
 
 rc_crossing crossing_of(const Map& map) {
   rc_crossing found{sizeof(rc_crossing), -7, -7, -7, -7};
-  check(rc_crossing_find(&map.system, map.p.data(), map.mask_data(), &found) == RC_OK, rc_last_error());
+  check(rc_crossing_find(&map.system, RC_IN(map.p.data()), RC_IN(map.mask_data()), &found) == RC_OK, rc_last_error());
   return found;
 }
 

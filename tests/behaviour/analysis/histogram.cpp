@@ -89,11 +89,11 @@ void arrays_may_be_left_out() {
   const Map map = drawn({"0124", "3.4."});
   rc_histogram told = RC_HISTOGRAM_INIT;
   told.bins = 3;
-  check(rc_histogram_fill(&map.system, map.p.data(), nullptr, &told) == RC_OK, rc_last_error());
+  check(rc_histogram_fill(&map.system, RC_IN(map.p.data()), {}, &told) == RC_OK, rc_last_error());
   check_equal(told.contacts, 5, "contacts");
   Field density(3, -7);
-  told.density = density.data();
-  check(rc_histogram_fill(&map.system, map.p.data(), nullptr, &told) == RC_OK, rc_last_error());
+  told.density = RC_OUT(density.data());
+  check(rc_histogram_fill(&map.system, RC_IN(map.p.data()), {}, &told) == RC_OK, rc_last_error());
   check_near(sum(density) * told.width, 1, 1e-15, "sum of the shares");
 }
 

@@ -60,7 +60,7 @@ Map transposed(const Map& map) {
 
 rc_area area_of(const Map& map) {
   rc_area area = RC_AREA_INIT;
-  check(rc_area_measure(&map.system, map.p.data(), map.mask_data(), &area) == RC_OK, rc_last_error());
+  check(rc_area_measure(&map.system, RC_IN(map.p.data()), RC_IN(map.mask_data()), &area) == RC_OK, rc_last_error());
   return area;
 }
 
@@ -68,22 +68,22 @@ Patches patches_of(const Map& map, std::int32_t neighbours) {
   Patches found;
   rc_patches patches = RC_PATCHES_INIT;
   patches.neighbours = neighbours;
-  check(rc_patches_find(&map.system, map.p.data(), map.mask_data(), &patches) == RC_OK, rc_last_error());
+  check(rc_patches_find(&map.system, RC_IN(map.p.data()), RC_IN(map.mask_data()), &patches) == RC_OK, rc_last_error());
   const auto count = static_cast<std::size_t>(patches.count);
   found.label.assign(map.points(), -7);
   for (auto* numbers : {&found.cells, &found.peak}) numbers->assign(count, -7);
   for (Field* values : {&found.area, &found.perimeter, &found.load, &found.mean_pressure, &found.max_pressure})
     values->assign(count, -7);
   patches.room = patches.count;
-  patches.label = found.label.data();
-  patches.cells = found.cells.data();
-  patches.area = found.area.data();
-  patches.perimeter = found.perimeter.data();
-  patches.load = found.load.data();
-  patches.mean_pressure = found.mean_pressure.data();
-  patches.max_pressure = found.max_pressure.data();
-  patches.peak = found.peak.data();
-  check(rc_patches_find(&map.system, map.p.data(), map.mask_data(), &patches) == RC_OK, rc_last_error());
+  patches.label = RC_OUT(found.label.data());
+  patches.cells = RC_OUT(found.cells.data());
+  patches.area = RC_OUT(found.area.data());
+  patches.perimeter = RC_OUT(found.perimeter.data());
+  patches.load = RC_OUT(found.load.data());
+  patches.mean_pressure = RC_OUT(found.mean_pressure.data());
+  patches.max_pressure = RC_OUT(found.max_pressure.data());
+  patches.peak = RC_OUT(found.peak.data());
+  check(rc_patches_find(&map.system, RC_IN(map.p.data()), RC_IN(map.mask_data()), &patches) == RC_OK, rc_last_error());
   found.count = patches.count;
   check_equal(found.count, patches.room, "count with and without arrays");
   return found;
@@ -95,9 +95,9 @@ Histogram histogram_of(const Map& map, std::int64_t bins, double upper) {
   found.density.assign(static_cast<std::size_t>(bins), -7);
   found.told.bins = bins;
   found.told.upper = upper;
-  found.told.counts = found.counts.data();
-  found.told.density = found.density.data();
-  check(rc_histogram_fill(&map.system, map.p.data(), map.mask_data(), &found.told) == RC_OK, rc_last_error());
+  found.told.counts = RC_OUT(found.counts.data());
+  found.told.density = RC_OUT(found.density.data());
+  check(rc_histogram_fill(&map.system, RC_IN(map.p.data()), RC_IN(map.mask_data()), &found.told) == RC_OK, rc_last_error());
   return found;
 }
 

@@ -80,13 +80,13 @@ void room_for_fewer_patches() {
   Field load(3, -7);
   rc_patches patches = RC_PATCHES_INIT;
   patches.room = 2;
-  patches.load = load.data();
-  check(rc_patches_find(&map.system, map.p.data(), nullptr, &patches) == RC_OK, rc_last_error());
+  patches.load = RC_OUT(load.data());
+  check(rc_patches_find(&map.system, RC_IN(map.p.data()), {}, &patches) == RC_OK, rc_last_error());
   check_equal(patches.count, 3, "count");
   check_near(load, {1, 2, -7}, 0, "load");
   patches.room = 0;
   load.assign(3, -7);
-  check(rc_patches_find(&map.system, map.p.data(), nullptr, &patches) == RC_OK, rc_last_error());
+  check(rc_patches_find(&map.system, RC_IN(map.p.data()), {}, &patches) == RC_OK, rc_last_error());
   check_equal(patches.count, 3, "count");
   check_near(load, {-7, -7, -7}, 0, "load");
   check_equal(patches_of(drawn({"...", "..."}), 8).count, 0, "no contact");

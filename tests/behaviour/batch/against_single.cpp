@@ -26,10 +26,10 @@ Field certificates(const Problem& problem, const Study& study, const Field& targ
   path.control = problem.control;
   path.warm_start = study.warm;
   path.n = static_cast<std::int64_t>(targets.size());
-  path.targets = targets.data();
-  path.undeformed_gap = problem.gap.data();
-  path.mask = problem.mask.empty() ? nullptr : problem.mask.data();
-  path.columns.certificate = found.data();
+  path.targets = RC_IN(targets.data());
+  path.undeformed_gap = RC_IN(problem.gap.data());
+  path.mask = RC_IN(problem.mask.empty() ? nullptr : problem.mask.data());
+  path.columns.certificate = RC_OUT(found.data());
   check(rc_contact_solve_history(contact.handle(), &path) == RC_OK, rc_last_error());
   return found;
 }
@@ -137,9 +137,9 @@ void strides_leave_room_between_contacts() {
     for (std::size_t k = 0; k < 5; ++k) targets.push_back(k < 2 ? study.targets[2 * i + k] : std::nan(""));
   }
   check_same(study.solve(1), study.solve(2, [&](rc_batch& b) {
-    b.undeformed_gap = gaps.data();
+    b.undeformed_gap = RC_IN(gaps.data());
     b.undeformed_gap_stride = static_cast<std::int64_t>(points) + 11;
-    b.targets = targets.data();
+    b.targets = RC_IN(targets.data());
     b.target_stride = 5;
   }));
 }
@@ -153,8 +153,8 @@ void pressures_start_the_next_call() {
   check_outcome(apart, RC_OK, 3, 3, -1);
   Field p = first.p;  // in place
   Outcome in_place = next.solve(2, [&](rc_batch& b) {
-    b.p0 = p.data();
-    b.p = p.data();
+    b.p0 = RC_IN(p.data());
+    b.p = RC_OUT(p.data());
   });
   in_place.p = p;
   check_same(apart, in_place);
@@ -184,7 +184,7 @@ void fn_sees_each_step_in_order() {
   for (const auto& each : seen) check_equal(each, 3, "steps seen");
   pairs::check_same(load, outcome.load, "load");
   pairs::check_same(p, outcome.p, "p");
-  const Outcome without = study.solve(2, [](rc_batch& b) { b.p = nullptr; });
+  const Outcome without = study.solve(2, [](rc_batch& b) { b.p = {}; });
   pairs::check_same(load, without.load, "load");
   pairs::check_same(p, outcome.p, "p where the batch's is null");
 }
@@ -193,7 +193,7 @@ void outputs_may_be_null() {
   const Study study = rough_study(3, 2);
   check_outcome(study.solve(2,
                             [](rc_batch& b) {
-                              b.p = nullptr;
+                              b.p = {};
                               b.columns = {};
                             }),
                 RC_OK, 3, 3, -1);

@@ -33,8 +33,8 @@ void bad_arguments_are_refused() {
   bad([](rc_batch& b) { b.control = 7; },
       "rc_batch.control = 7 is none of RC_CONTROL_APPROACH (1), RC_CONTROL_LOAD (2), RC_CONTROL_AREA (4), RC_CONTROL_PRESSURE "
       "(8)");
-  bad([](rc_batch& b) { b.targets = nullptr; }, "rc_batch.targets is null but n = 3 and steps = 2");
-  bad([](rc_batch& b) { b.undeformed_gap = nullptr; }, "rc_batch.undeformed_gap is null but n = 3");
+  bad([](rc_batch& b) { b.targets = {}; }, "rc_batch.targets is null but n = 3 and steps = 2");
+  bad([](rc_batch& b) { b.undeformed_gap = {}; }, "rc_batch.undeformed_gap is null but n = 3");
   bad([](rc_batch& b) { b.target_stride = 1; },
       "rc_batch.target_stride = 1 must be 0, RC_BATCH_SHARED (-1) or at least steps = 2", RC_ERR_SHAPE);
   bad([](rc_batch& b) { b.undeformed_gap_stride = 431; },

@@ -126,11 +126,11 @@ void derivatives_may_fail(void**) {
     const auto derive = [&] {
       out.assign(hills().size(), untouched);
       rc_gradient gradient = RC_GRADIENT_INIT;
-      gradient.dJ_dp = weight.data();
-      gradient.dJ_dundeformed_gap = out.data();
+      gradient.dJ_dp = RC_IN(weight.data());
+      gradient.dJ_dundeformed_gap = RC_OUT(out.data());
       rc_tangent tangent = RC_TANGENT_INIT;
-      tangent.dundeformed_gap = weight.data();
-      tangent.dp = out.data();
+      tangent.dundeformed_gap = RC_IN(weight.data());
+      tangent.dp = RC_OUT(out.data());
       return of_tangent ? rc_contact_tangent(contact.get(), &tangent) : rc_contact_gradient(contact.get(), &gradient);
     };
     host_faults() = {.fault = Fault::once, .at = 0};
@@ -185,11 +185,11 @@ void contacts_of_a_batch_fail_by_themselves(void**) {
   batch.control = RC_CONTROL_APPROACH;
   batch.n = n;
   batch.steps = 1;
-  batch.targets = &target;
+  batch.targets = RC_IN(&target);
   batch.target_stride = RC_BATCH_SHARED;
-  batch.undeformed_gap = gaps.data();
-  batch.p = p.data();
-  batch.columns.status = status.data();
+  batch.undeformed_gap = RC_IN(gaps.data());
+  batch.p = RC_OUT(p.data());
+  batch.columns.status = RC_OUT(status.data());
   batch.fn = [](std::int64_t, std::int64_t, const rc_result*, void*) { return std::int32_t{0}; };  // one at a time
   const rc_system system = grid_of(side);
   host_faults() = {.fault = Fault::once, .at = calls_of_a_solve() + 40};  // in the second contact

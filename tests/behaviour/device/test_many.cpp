@@ -268,8 +268,8 @@ void pressures_to_start_from(void**) {
   for (std::size_t i = 0; i < warm.products.size(); ++i) assert_true(3 * warm.products[i] <= cold.products[i]);
   std::vector<double> p = cold.p;
   Found in_place = solved(s, context, 1, [&](rc_batch& b) {
-    b.p0 = p.data();
-    b.p = p.data();
+    b.p0 = RC_IN(p.data());
+    b.p = RC_OUT(p.data());
   });
   in_place.p = p;
   expect_same(warm, in_place);
@@ -290,7 +290,7 @@ void strides_and_shared_arrays(void**) {
     wide.insert(wide.end(), 13, std::nan(""));
   }
   expect_same(plain, solved(s, context, 1, [&](rc_batch& b) {
-                b.undeformed_gap = wide.data();
+                b.undeformed_gap = RC_IN(wide.data());
                 b.undeformed_gap_stride = static_cast<std::int64_t>(s.points()) + 13;
               }));
   const Found shared = solved(s, context, 1, [&](rc_batch& b) { b.undeformed_gap_stride = RC_BATCH_SHARED; });

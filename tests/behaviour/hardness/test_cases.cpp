@@ -58,7 +58,7 @@ void run(const CappedCase& reference, Problem problem, const Pair& pair) {
       check_against_naive(indented, answer);
     }
     for (std::size_t i = 0; i < indentation.size(); ++i) indentation[i] += step.overlap[i];
-    check(rc_contact_indentation(contact.handle(), told.data()) == RC_OK, rc_last_error());
+    check(rc_contact_indentation(contact.handle(), RC_OUT(told.data())) == RC_OK, rc_last_error());
     for (std::size_t i = 0; i < told.size(); ++i)
       check_near(told[i], indentation[i], 10 * accuracy * step.approach, number + "indentation");
   }

@@ -14,7 +14,7 @@ namespace {
 
 Field indentation_of(const Contact& contact, std::size_t points) {
   Field told(points, -7);
-  check(rc_contact_indentation(contact.handle(), told.data()) == RC_OK, rc_last_error());
+  check(rc_contact_indentation(contact.handle(), RC_OUT(told.data())) == RC_OK, rc_last_error());
   return told;
 }
 
@@ -139,8 +139,8 @@ void check_batch(const Problem& problem, const rc_history& path, const Field& lo
   batch.steps = path.n;
   batch.targets = path.targets;
   batch.target_stride = batch.undeformed_gap_stride = RC_BATCH_SHARED;
-  batch.undeformed_gap = problem.gap.data();
-  batch.columns.load = of_batch.data();
+  batch.undeformed_gap = RC_IN(problem.gap.data());
+  batch.columns.load = RC_OUT(of_batch.data());
   const Options options = make_options(pair, problem.kernel);
   check(rc_batch_solve(&problem.system, options.get(), &batch) == RC_OK, rc_last_error());
   for (std::size_t i = 0; i < of_batch.size(); ++i)
@@ -162,9 +162,9 @@ void a_path_is_its_steps() {
   rc_history path = RC_HISTORY_INIT;
   path.control = problem.control;
   path.n = static_cast<std::int64_t>(targets.size());
-  path.targets = targets.data();
-  path.undeformed_gap = problem.gap.data();
-  path.columns.load = loads.data();
+  path.targets = RC_IN(targets.data());
+  path.undeformed_gap = RC_IN(problem.gap.data());
+  path.columns.load = RC_OUT(loads.data());
   check(rc_contact_solve_history(whole.handle(), &path) == RC_OK, rc_last_error());
   check_same(loads, expected, "loads");
   check_same(indentation_of(whole, problem.points()), indentation_of(single, problem.points()), "indentation");
@@ -181,9 +181,9 @@ void a_virgin_history_presses_the_first_surface() {
     rc_history path = RC_HISTORY_INIT;
     path.control = problem.control;
     path.n = static_cast<std::int64_t>(targets.size());
-    path.targets = targets.data();
-    path.undeformed_gap = problem.gap.data();
-    path.columns.load = loads.data();
+    path.targets = RC_IN(targets.data());
+    path.undeformed_gap = RC_IN(problem.gap.data());
+    path.columns.load = RC_OUT(loads.data());
     path.virgin = 1;
     const auto expected = [&](double target, const Field& left) {
       Problem alone = problem;
@@ -194,7 +194,7 @@ void a_virgin_history_presses_the_first_surface() {
     for (const std::int32_t warm : {1, 0}) {
       const Contact contact(problem, pair);
       path.warm_start = warm;
-      path.undeformed_gap = problem.gap.data();
+      path.undeformed_gap = RC_IN(problem.gap.data());
       check(rc_contact_solve_history(contact.handle(), &path) == RC_OK, rc_last_error());
       for (std::size_t i = 0; i < targets.size(); ++i)
         check_near(loads[i], expected(targets[i], {}), 1e-10 * loads[i], "load of a virgin surface");
@@ -205,7 +205,7 @@ void a_virgin_history_presses_the_first_surface() {
       check_status(contact.solve(at(problem, 0.9)), RC_OK);
       const Field left = indentation_of(contact, problem.points());
       check(largest(left) > 0, "the surface should yield");
-      path.undeformed_gap = nullptr;
+      path.undeformed_gap = {};
       check(rc_contact_solve_history(contact.handle(), &path) == RC_OK, rc_last_error());
       for (std::size_t i = 0; i < targets.size(); ++i)
         check_near(loads[i], expected(targets[i], left), 1e-10 * loads[i], "load of an indented surface");
@@ -226,13 +226,13 @@ void a_restored_history_goes_on() {
     if (answers.size() == 3) {
       const Field left = indentation_of(whole, problem.points());
       rc_state state = RC_STATE_INIT;
-      state.undeformed_gap = problem.gap.data();
-      state.indentation = left.data();
+      state.undeformed_gap = RC_IN(problem.gap.data());
+      state.indentation = RC_IN(left.data());
       const Answer &last = answers[2], &before = answers[1];
-      state.p = last.p.data();
+      state.p = RC_IN(last.p.data());
       state.approach = last.result.approach;
       state.load = last.result.load;
-      state.p_before = before.p.data();
+      state.p_before = RC_IN(before.p.data());
       state.approach_before = before.result.approach;
       state.load_before = before.result.load;
       check(rc_contact_restore(second.handle(), &state) == RC_OK, rc_last_error());

@@ -141,7 +141,7 @@ void solve_and_judge(std::uint64_t number, Tally& tally) {
     ++tally.steps;
     tally.yielding += answer.result.capped > 0;
     tally.proven += answer.result.undecided == 0;
-    check(rc_contact_indentation(contact.handle(), told.data()) == RC_OK, rc_last_error());
+    check(rc_contact_indentation(contact.handle(), RC_OUT(told.data())) == RC_OK, rc_last_error());
     for (std::size_t i = 0; i < gap.size(); ++i) {
       const double overlap = answer.p[i] == problem.system.hardness ? std::max(0.0, -answer.gap[i]) : 0;
       gap[i] += overlap;

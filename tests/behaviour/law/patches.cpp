@@ -79,8 +79,8 @@ void mask_disc(Patch& patch) {
 
 rc_law_spec Patch::asked() const {
   rc_law_spec whole = spec;
-  whole.undeformed_gap = problem.gap.data();
-  whole.mask = problem.mask.empty() ? nullptr : problem.mask.data();
+  whole.undeformed_gap = RC_IN(problem.gap.data());
+  whole.mask = RC_IN(problem.mask.empty() ? nullptr : problem.mask.data());
   return whole;
 }
 
@@ -180,13 +180,13 @@ double Referee::mean_rate(const rc_result& result) {
   std::vector<std::int64_t> points(weights_.size());
   Field p(weights_.size());
   std::int64_t n = 0;
-  pairs::check_equal(rc_contact_points(contact_.handle(), static_cast<std::int64_t>(p.size()), points.data(), p.data(), &n),
+  pairs::check_equal(rc_contact_points(contact_.handle(), static_cast<std::int64_t>(p.size()), RC_OUT(points.data()), RC_OUT(p.data()), &n),
                      RC_OK, "points");
   weights_.assign(weights_.size(), 1 / static_cast<double>(counted));
   for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i)
     if (result.capped > 0 && p[i] >= patch_.problem.system.hardness) weights_[static_cast<std::size_t>(points[i])] = 0;
   rc_gradient gradient = RC_GRADIENT_INIT;
-  gradient.dJ_dgap = weights_.data();
+  gradient.dJ_dgap = RC_IN(weights_.data());
   pairs::check(rc_contact_gradient(contact_.handle(), &gradient) >= 0, rc_last_error());
   return -gradient.dJ_dtarget;
 }

@@ -33,7 +33,7 @@ void slope_energy_and_inverse_belong_to_the_pressure() {
     if (x > 0) check(std::abs(conductance - point.conductance / 2) <= 1e-9 * conductance, "conductance at " + text(x));
   }
   std::vector<double> xs = overclosures(law), p(xs.size()), slope(xs.size()), energy(xs.size());
-  check_equal(rc_law_pressures(law, static_cast<std::int64_t>(xs.size()), xs.data(), p.data(), slope.data(), energy.data()),
+  check_equal(rc_law_pressures(law, static_cast<std::int64_t>(xs.size()), RC_IN(xs.data()), RC_OUT(p.data()), RC_OUT(slope.data()), RC_OUT(energy.data())),
               RC_OUTSIDE, "n");
   for (std::size_t i = 0; i < xs.size(); ++i) check(p[i] == evaluate(law, xs[i]).p, "rc_law_pressures");
 }
@@ -225,7 +225,7 @@ void bad_input_is_refused() {
   refuses(rc_law_pressure(usual_law(), infinity, &value, nullptr, nullptr), "infinite", "infinity");
   refuses(rc_law_overclosure(usual_law(), infinity, &value), "infinite", "infinity");
   refuses(rc_law_gap_conductance(usual_law(), infinity, 1, 1, &value), "infinite", "infinity");
-  check_equal(rc_law_pressures(usual_law(), 0, nullptr, nullptr, nullptr, nullptr), RC_OK, "no overclosure");
+  check_equal(rc_law_pressures(usual_law(), 0, {}, {}, {}, {}), RC_OK, "no overclosure");
   rc_law_point point = RC_LAW_POINT_INIT;
   refuses(rc_law_evaluate(usual_law(), infinity, &point), "not finite", "infinity");
   refuses(rc_law_evaluate(usual_law(), std::nan(""), &point), "not finite", "NaN");

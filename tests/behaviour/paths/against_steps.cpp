@@ -93,8 +93,8 @@ void outputs_may_be_null() {
   rc_history path = RC_HISTORY_INIT;
   path.control = RC_CONTROL_APPROACH;
   path.n = static_cast<std::int64_t>(targets.size());
-  path.targets = targets.data();
-  path.undeformed_gap = problem.gap.data();
+  path.targets = RC_IN(targets.data());
+  path.undeformed_gap = RC_IN(problem.gap.data());
   check(rc_contact_solve_history(contact.handle(), &path) == RC_OK, rc_last_error());
   check_equal(path.completed, path.n, "completed steps");
   rc_step step = problem.step();

@@ -16,9 +16,9 @@ using namespace pairs;
 
 rc_level level_of(const Contact& contact, std::int64_t i, double* p = nullptr) {
   rc_level level = RC_LEVEL_INIT;
-  level.p = p;
+  level.p = RC_OUT(p);
   check(rc_contact_level(contact.handle(), i, &level) == RC_OK, rc_last_error());
-  check(level.p == p, "level.p was changed");
+  check(level.p.data == p, "level.p was changed");
   return level;
 }
 

@@ -17,7 +17,7 @@ using namespace pairs;
 
 struct Output {
   const char* name;
-  double* rc_columns::*column;
+  rc_array rc_columns::*column;
   double rc_result::*of_result;
 };
 
@@ -46,8 +46,8 @@ rc_history history_of(const Problem& problem, const Field& targets) {
   rc_history history = RC_HISTORY_INIT;
   history.control = problem.control;
   history.n = static_cast<std::int64_t>(targets.size());
-  history.targets = targets.data();
-  history.undeformed_gap = problem.gap.data();
+  history.targets = RC_IN(targets.data());
+  history.undeformed_gap = RC_IN(problem.gap.data());
   return history;
 }
 
@@ -56,8 +56,8 @@ rc_batch batch_of(const Problem& problem, const Field& targets, std::int64_t n) 
   batch.control = problem.control;
   batch.n = n;
   batch.steps = static_cast<std::int64_t>(targets.size());
-  batch.targets = targets.data();
-  batch.undeformed_gap = problem.gap.data();
+  batch.targets = RC_IN(targets.data());
+  batch.undeformed_gap = RC_IN(problem.gap.data());
   batch.target_stride = batch.undeformed_gap_stride = RC_BATCH_SHARED;
   return batch;
 }
@@ -96,13 +96,13 @@ void outputs_are_those_of_the_results(std::int32_t boundary, const Pair& pair) {
     rc_batch batch = batch_of(problem, targets, 3);
     for (std::size_t k = 0; k < std::size(outputs); ++k) {
       found[k].resize(targets.size());
-      history.columns.*outputs[k].column = found[k].data();
+      history.columns.*outputs[k].column = RC_OUT(found[k].data());
     }
     check(rc_contact_solve_history(contact.handle(), &history) == RC_OK, rc_last_error());
     for (std::size_t k = 0; k < std::size(outputs); ++k) {
       check_output(outputs[k], found[k], expected);
       found[k].assign(3 * targets.size(), -7);
-      batch.columns.*outputs[k].column = found[k].data();
+      batch.columns.*outputs[k].column = RC_OUT(found[k].data());
     }
     const Answer after = contact.solve(problem);
     check(std::isnan(after.result.stiffness), "option stiffness after the history");
@@ -121,8 +121,8 @@ void each_output_comes_by_itself() {
     Field found(targets.size()), of_batch(2 * targets.size());
     rc_history history = history_of(problem, targets);
     rc_batch batch = batch_of(problem, targets, 2);
-    history.columns.*output.column = found.data();
-    batch.columns.*output.column = of_batch.data();
+    history.columns.*output.column = RC_OUT(found.data());
+    batch.columns.*output.column = RC_OUT(of_batch.data());
     check(rc_contact_solve_history(Contact(problem, automatic, {{RC_OPT_BOUNDS, "0"}}).handle(), &history) == RC_OK,
           rc_last_error());
     check_output(output, found, expected);
@@ -139,7 +139,7 @@ void a_step_without_an_answer_has_no_numbers() {
   Field found[std::size(outputs)];
   for (std::size_t k = 0; k < std::size(outputs); ++k) {
     found[k].assign(2, -7);
-    batch.columns.*outputs[k].column = found[k].data();
+    batch.columns.*outputs[k].column = RC_OUT(found[k].data());
   }
   check_equal(rc_batch_solve(&problem.system, nullptr, &batch), RC_ERR_ARGUMENT, "status");
   for (std::size_t k = 0; k < std::size(outputs); ++k)
@@ -159,7 +159,7 @@ std::int32_t watch_points(std::int64_t step, const rc_result* result, void* user
   std::vector<std::int64_t> index(static_cast<std::size_t>(result->contacts));
   Field pressure(index.size());
   std::int64_t n = -1;
-  if (rc_contact_points(watched.contact.handle(), result->contacts, index.data(), pressure.data(), &n) != RC_OK)
+  if (rc_contact_points(watched.contact.handle(), result->contacts, RC_OUT(index.data()), RC_OUT(pressure.data()), &n) != RC_OK)
     watched.wrong = rc_last_error();
   if (result->gap.data) watched.wrong = "the gap is shown";
   if (n != result->contacts) watched.wrong = "points of another step, at step " + std::to_string(step);
@@ -182,7 +182,7 @@ void fn_may_ask_for_its_points(const Settings& settings) {
   history.fn = watch_points;
   history.user = &watched;
   history.want_gap = 0;
-  history.columns.mean_gap = mean_gap.data();
+  history.columns.mean_gap = RC_OUT(mean_gap.data());
   check(rc_contact_solve_history(contact.handle(), &history) >= 0, rc_last_error());
   check_equal(history.completed, history.n, "completed steps");
   check(watched.wrong.empty(), watched.wrong);
@@ -199,8 +199,8 @@ void a_periodic_approach_is_the_change_of_the_mean_gap() {
       const Field targets = targets_of(problem);
       Field mean_gap(targets.size()), approach(targets.size());
       rc_history history = history_of(problem, targets);
-      history.columns.mean_gap = mean_gap.data();
-      history.columns.approach = approach.data();
+      history.columns.mean_gap = RC_OUT(mean_gap.data());
+      history.columns.approach = RC_OUT(approach.data());
       check(rc_contact_solve_history(Contact(problem, automatic).handle(), &history) == RC_OK, rc_last_error());
       for (std::size_t i = 0; i < targets.size(); ++i) {
         const double off = std::abs(mean - mean_gap[i] - approach[i]);

@@ -18,15 +18,15 @@ const Field fractions = {0.3, 0.6, 0.62, 0, 1, 0.5};
 template <class Step>
 void restore(const Contact& contact, const Problem& problem, const std::vector<Step>& steps, std::size_t step) {
   rc_state state = RC_STATE_INIT;
-  state.undeformed_gap = problem.gap.data();
-  state.mask = problem.mask.empty() ? nullptr : problem.mask.data();
+  state.undeformed_gap = RC_IN(problem.gap.data());
+  state.mask = RC_IN(problem.mask.empty() ? nullptr : problem.mask.data());
   const Step& last = steps[step];
-  state.p = last.p.data();
+  state.p = RC_IN(last.p.data());
   state.approach = last.result.approach;
   state.load = last.result.load;
   if (step > 0) {
     const Step& before = steps[step - 1];
-    state.p_before = before.p.data();
+    state.p_before = RC_IN(before.p.data());
     state.approach_before = before.result.approach;
     state.load_before = before.result.load;
   }

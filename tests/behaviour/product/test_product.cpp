@@ -1,8 +1,7 @@
-// Products of callers against sums over pairs of points, in any memory order.
+// Products of callers against sums over pairs of points.
 #include <roughcontact/product.h>
 
 #include <cmath>
-#include <set>
 
 #include "support/naive.h"
 #include "support/registry.h"
@@ -34,7 +33,7 @@ Field pressures(std::size_t n) {
 
 Field applied(rc_product* product, const Field& p) {
   Field u(p.size(), NAN);
-  check(rc_product_apply(product, p.data(), 1, nx, u.data(), 1, nx) == RC_OK, rc_last_error());
+  check(rc_product_apply(product, RC_IN(p.data()), RC_OUT(u.data())) == RC_OK, rc_last_error());
   return u;
 }
 
@@ -50,26 +49,13 @@ void against_sums(std::int32_t boundary, const std::string& backend, const std::
   check_same(applied(product.get(), p), u, "the same product again");
 }
 
-void in_any_order() {
+void over_the_pressures() {
   const Problem problem = rough_problem(nx, ny);
   const Product product = made(problem.system);
   const Field p = pressures(problem.points()), u = applied(product.get(), p);
-  Field columns(p.size()), spread(2 * p.size(), 7), expected(p.size());
-  for (std::int64_t y = 0; y < ny; ++y)
-    for (std::int64_t x = 0; x < nx; ++x) {
-      columns[static_cast<std::size_t>(x * ny + y)] = p[static_cast<std::size_t>(y * nx + x)];
-      expected[static_cast<std::size_t>(x * ny + y)] = u[static_cast<std::size_t>(y * nx + x)];
-    }
-  // From columns to every second value, backwards.
-  check(rc_product_apply(product.get(), columns.data(), ny, 1, spread.data() + 2 * (nx * ny - 1), -2, -2 * nx) == RC_OK,
-        rc_last_error());
-  for (std::size_t i = 0; i < u.size(); ++i) {
-    check_equal(spread[2 * i] == u[u.size() - 1 - i], 1, "a deflection");
-    check_equal(spread[2 * i + 1] == 7, 1, "a value between");
-  }
-  // In place.
-  check(rc_product_apply(product.get(), columns.data(), ny, 1, columns.data(), ny, 1) == RC_OK, rc_last_error());
-  check_same(columns, expected, "u over p");
+  Field both = p;
+  check(rc_product_apply(product.get(), RC_IN(both.data()), RC_OUT(both.data())) == RC_OK, rc_last_error());
+  check_same(both, u, "u over p");
 }
 
 void of_a_matrix() {
@@ -94,44 +80,6 @@ void of_a_matrix() {
   check_near(applied(made(problem.system).get(), p), expected, 1e-13, "by a function");
 }
 
-// Small distances of both signs, against a list of the places.
-void distances_are_refused_exactly_if_points_coincide() {
-  for (const auto& [columns, rows] : {std::pair<std::int64_t, std::int64_t>{4, 3}, {1, 5}, {5, 1}, {1, 1}}) {
-    const Problem problem = rough_problem(columns, rows);
-    const Product product = made(problem.system);
-    const Field p = pressures(problem.points());
-    Field u(400);
-    for (std::int64_t x = -13; x <= 13; ++x)
-      for (std::int64_t y = -13; y <= 13; ++y) {
-        std::set<std::int64_t> places;
-        for (std::int64_t iy = 0; iy < rows; ++iy)
-          for (std::int64_t ix = 0; ix < columns; ++ix) places.insert(ix * x + iy * y);
-        const bool coincide = places.size() < problem.points();
-        const rc_status status = rc_product_apply(product.get(), p.data(), 1, columns, u.data() + 200, x, y);
-        const std::string words = "u_x = " + std::to_string(x) + ", u_y = " + std::to_string(y);
-        check_equal(status, coincide ? RC_ERR_ARGUMENT : RC_OK, words);
-        if (coincide) check(std::string(rc_last_error()).find(words) != std::string::npos, rc_last_error());
-      }
-  }
-}
-
-// Offsets beyond the range of addresses are refused, before they are computed; a distance that no point has does not matter.
-void huge_distances() {
-  const Problem problem = rough_problem(nx, ny), row = rough_problem(nx, 1);
-  const Product product = made(problem.system), of_row = made(row.system);
-  const Field p = pressures(problem.points());
-  Field u(p.size(), 5);
-  for (const std::int64_t huge : {INT64_MAX, INT64_MIN, INT64_MIN + 1, INT64_MAX / 8 / nx, INT64_MAX / 2 + 1})
-    for (const bool along_x : {true, false}) {
-      check_equal(rc_product_apply(product.get(), p.data(), 1, nx, u.data(), along_x ? huge : 1, along_x ? 1 : huge),
-                  RC_ERR_ARGUMENT, "u");
-      check_equal(rc_product_apply(product.get(), p.data(), along_x ? huge : 1, along_x ? 1 : huge, u.data(), 1, nx),
-                  RC_ERR_ARGUMENT, "p");
-    }
-  check_same(u, Field(u.size(), 5), "u after refusals");
-  check_equal(rc_product_apply(of_row.get(), p.data(), 1, INT64_MIN, u.data(), 1, INT64_MIN), RC_OK, "one row");
-}
-
 void refusals() {
   const Problem problem = rough_problem(nx, ny);
   rc_product* none = nullptr;
@@ -140,15 +88,14 @@ void refusals() {
   const Product product = made(problem.system);
   Field p = pressures(problem.points()), u(p.size(), 5);
   const auto refused = [&](rc_product* by, const double* from, double* to, const char* words) {
-    check_equal(rc_product_apply(by, from, 1, nx, to, 1, nx), RC_ERR_ARGUMENT, words);
+    check_equal(rc_product_apply(by, RC_IN(from), RC_OUT(to)), RC_ERR_ARGUMENT, words);
     check(std::string(rc_last_error()).find(words) != std::string::npos, rc_last_error());
   };
   refused(nullptr, p.data(), u.data(), "product is null");
   refused(product.get(), nullptr, u.data(), "p is null");
   refused(product.get(), p.data(), nullptr, "u is null");
-  check_equal(rc_product_apply(product.get(), p.data(), 1, nx, u.data(), 0, nx), RC_ERR_ARGUMENT, "u_x = 0");
-  check_equal(rc_product_apply(product.get(), p.data(), INT64_MAX, nx, u.data(), 1, nx), RC_ERR_ARGUMENT, "p_x = INT64_MAX");
-  check_equal(rc_product_apply(product.get(), Field(p.size(), 1e308).data(), 1, nx, u.data(), 1, nx), RC_ERR_NUMERIC, "overflow");
+  const Field large(p.size(), 1e308);
+  check_equal(rc_product_apply(product.get(), RC_IN(large.data()), RC_OUT(u.data())), RC_ERR_NUMERIC, "overflow");
   check_same(u, Field(u.size(), 5), "u after an overflow");
   p[nx + 2] = NAN;
   refused(product.get(), p.data(), u.data(), "p = nan at ix=2, iy=1 is not finite");
@@ -159,10 +106,8 @@ void refusals() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::vector<Test> tests{{"pressures_and_deflections_in_any_memory_order", in_any_order},
+  std::vector<Test> tests{{"deflections_are_written_over_the_pressures", over_the_pressures},
                           {"a_matrix_and_a_function", of_a_matrix},
-                          {"distances_are_refused_exactly_if_points_coincide", distances_are_refused_exactly_if_points_coincide},
-                          {"huge_distances", huge_distances},
                           {"bad_calls_are_refused", refusals}};
   for (const auto& [boundary, kernels] :
        {std::pair{RC_BOUNDARY_FREE, std::vector<std::string>{"love", "eq9", "galerkin"}}, {RC_BOUNDARY_PERIODIC, {"spectral"}}})

@@ -189,8 +189,8 @@ static void flags(const scene* s) {
   rc_history path = RC_HISTORY_INIT;
   path.control = j.step.control;
   path.n = 3;
-  path.targets = targets;
-  path.undeformed_gap = j.gap;
+  path.targets = RC_IN(targets);
+  path.undeformed_gap = RC_IN(j.gap);
   check(rc_mpi_contact_create(MPI_COMM_WORLD, &j.system, j.options, &contact) == RC_OK, "create");
   rc_stop_when(&flag);
   flag = rank == ranks - 1;

@@ -247,18 +247,18 @@ static void history(const scene* s) {
   rc_history path = RC_HISTORY_INIT;
   path.control = s->control;
   path.n = steps;
-  path.targets = targets;
-  path.undeformed_gap = r.gap;
-  path.mask = s->mask == whole ? NULL : r.mask;
-  path.columns.load = loads;
-  path.columns.mean_gap = mean_gap;
-  path.columns.energy = energy;
-  path.columns.stiffness = stiffness;
-  path.columns.load_lower = lower;
-  path.columns.load_upper = upper;
+  path.targets = RC_IN(targets);
+  path.undeformed_gap = RC_IN(r.gap);
+  path.mask = RC_IN(s->mask == whole ? NULL : r.mask);
+  path.columns.load = RC_OUT(loads);
+  path.columns.mean_gap = RC_OUT(mean_gap);
+  path.columns.energy = RC_OUT(energy);
+  path.columns.stiffness = RC_OUT(stiffness);
+  path.columns.load_lower = RC_OUT(lower);
+  path.columns.load_upper = RC_OUT(upper);
   if (s->hardness > 0) { /* few scenes: it doubles the solves on the contact set */
-    path.columns.stiffness_lower = less;
-    path.columns.stiffness_upper = more;
+    path.columns.stiffness_lower = RC_OUT(less);
+    path.columns.stiffness_upper = RC_OUT(more);
   }
   path.fn = watch;
   path.user = &of;

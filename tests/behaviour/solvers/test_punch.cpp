@@ -23,7 +23,7 @@ struct Punch {
 Punch pressed(const Problem& problem, const std::vector<std::uint8_t>& mask, const Pair& pair, const Settings& settings = {}) {
   Punch punch;
   const rc_status status =
-      rc_punch_stiffness(&problem.system, mask.empty() ? nullptr : mask.data(),
+      rc_punch_stiffness(&problem.system, RC_IN(mask.empty() ? nullptr : mask.data()),
                          make_options(pair, problem.kernel, settings).get(), &punch.stiffness, &punch.lower, &punch.upper);
   check(status == RC_OK, rc_last_error());
   return punch;
@@ -175,7 +175,7 @@ void a_time_limit_stops_it() {
   const Problem problem = rough_problem(256, 256);
   Punch punch;
   check_equal(
-      rc_punch_stiffness(&problem.system, nullptr, make_options(by_products, problem.kernel, {{RC_OPT_TIME_LIMIT, "1e-9"}}).get(),
+      rc_punch_stiffness(&problem.system, {}, make_options(by_products, problem.kernel, {{RC_OPT_TIME_LIMIT, "1e-9"}}).get(),
                          &punch.stiffness, &punch.lower, nullptr),
       RC_STOP_TIME, "status");
   check(punch.stiffness == -7 && punch.lower == -7, "something is written");

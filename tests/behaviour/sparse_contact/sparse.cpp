@@ -33,11 +33,11 @@ Sparse SparseContact::solve(const Problem& problem, bool borrow) const {
   answer.message = rc_last_error();
   if (answer.status != RC_OK) return answer;
   std::int64_t n = 0;
-  check(rc_contact_points(contact_.get(), 0, nullptr, nullptr, &n) == RC_OK, rc_last_error());
+  check(rc_contact_points(contact_.get(), 0, {}, {}, &n) == RC_OK, rc_last_error());
   pairs::check_equal(n, answer.result.contacts, "contact points");
   answer.index.resize(static_cast<std::size_t>(n));
   answer.p.resize(answer.index.size());
-  check(rc_contact_points(contact_.get(), n, answer.index.data(), answer.p.data(), &n) == RC_OK, rc_last_error());
+  check(rc_contact_points(contact_.get(), n, RC_OUT(answer.index.data()), RC_OUT(answer.p.data()), &n) == RC_OK, rc_last_error());
   check(std::is_sorted(answer.index.begin(), answer.index.end()), "contact points ascend");
   return answer;
 }

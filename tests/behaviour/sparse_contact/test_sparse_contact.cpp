@@ -221,9 +221,9 @@ void stops_are_reported() {
   const Sparse stopped = contact.solve(problem);
   check(stopped.status == RC_STOP_CANCELLED, stopped.message);
   std::int64_t n = -1;
-  check(rc_contact_points(contact.handle(), 0, nullptr, nullptr, &n) == RC_OK && n == 0, "no certified step, no contact points");
-  check(rc_contact_points(contact.handle(), -1, nullptr, nullptr, &n) == RC_ERR_ARGUMENT, "room = -1");
-  check(rc_contact_points(contact.handle(), 0, nullptr, nullptr, nullptr) == RC_ERR_ARGUMENT, "n = null");
+  check(rc_contact_points(contact.handle(), 0, {}, {}, &n) == RC_OK && n == 0, "no certified step, no contact points");
+  check(rc_contact_points(contact.handle(), -1, {}, {}, &n) == RC_ERR_ARGUMENT, "room = -1");
+  check(rc_contact_points(contact.handle(), 0, {}, {}, nullptr) == RC_ERR_ARGUMENT, "n = null");
   check(SparseContact(problem, {{RC_OPT_MAX_ITER, "3"}}).solve(problem).status == RC_STOP_MAX_ITER, "max_iter");
   const Problem by_load = at_load_of(problem, sparse_contact::solved(problem, "split"));
   check(SparseContact(by_load, {{RC_OPT_MAX_ITER, "3"}}).solve(by_load).status == RC_STOP_MAX_ITER, "max_iter in load control");

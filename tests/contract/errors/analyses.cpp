@@ -34,10 +34,10 @@ struct Call {
     area.contacts = patches.count = histogram.contacts = 99;
     crossing.gap_y = 99;
     patches.room = histogram.bins = 4;
-    patches.label = label.data();
-    patches.load = load.data();
-    histogram.counts = counts.data();
-    histogram.density = density.data();
+    patches.label = RC_OUT(label.data());
+    patches.load = RC_OUT(load.data());
+    histogram.counts = RC_OUT(counts.data());
+    histogram.density = RC_OUT(density.data());
   }
   Call(const Call&) = delete;
   Call& operator=(const Call&) = delete;
@@ -51,14 +51,14 @@ struct Call {
   }
 };
 
-Outcome measured(const Call& c) { return rc_area_measure(c.system_given, c.p_given, c.mask.data(), c.area_given); }
-Outcome found(const Call& c) { return rc_patches_find(c.system_given, c.p_given, c.mask.data(), c.patches_given); }
-Outcome filled(const Call& c) { return rc_histogram_fill(c.system_given, c.p_given, c.mask.data(), c.histogram_given); }
+Outcome measured(const Call& c) { return rc_area_measure(c.system_given, RC_IN(c.p_given), RC_IN(c.mask.data()), c.area_given); }
+Outcome found(const Call& c) { return rc_patches_find(c.system_given, RC_IN(c.p_given), RC_IN(c.mask.data()), c.patches_given); }
+Outcome filled(const Call& c) { return rc_histogram_fill(c.system_given, RC_IN(c.p_given), RC_IN(c.mask.data()), c.histogram_given); }
 
-Outcome crossed(const Call& c) { return rc_crossing_find(c.system_given, c.p_given, c.mask.data(), c.crossing_given); }
+Outcome crossed(const Call& c) { return rc_crossing_find(c.system_given, RC_IN(c.p_given), RC_IN(c.mask.data()), c.crossing_given); }
 
 Outcome punched(const Scene& scene, double* stiffness) {
-  return rc_punch_stiffness(&scene.system, nullptr, nullptr, stiffness, nullptr, nullptr);
+  return rc_punch_stiffness(&scene.system, {}, nullptr, stiffness, nullptr, nullptr);
 }
 
 template <class Spoil> auto one_with(Outcome (*function)(const Call&), const Spoil& spoil) {
@@ -175,7 +175,7 @@ Section analyses() {
            {"rc_punch_stiffness: rc_system is null"},
            [] {
              double stiffness = 0;
-             return rc_punch_stiffness(nullptr, nullptr, nullptr, &stiffness, nullptr, nullptr);
+             return rc_punch_stiffness(nullptr, {}, nullptr, &stiffness, nullptr, nullptr);
            }},
           {"`rc_punch_stiffness`: stiffness is null",
            refused,
@@ -199,7 +199,7 @@ Section analyses() {
              const Scene scene;
              const std::vector<std::uint8_t> nowhere(points);
              double stiffness = untouched;
-             const Outcome outcome = rc_punch_stiffness(&scene.system, nowhere.data(), nullptr, &stiffness, nullptr, nullptr);
+             const Outcome outcome = rc_punch_stiffness(&scene.system, RC_IN(nowhere.data()), nullptr, &stiffness, nullptr, nullptr);
              assert_true(stiffness == 0);
              return outcome;
            }},

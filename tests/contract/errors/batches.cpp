@@ -19,9 +19,9 @@ struct Study {
     batch.control = RC_CONTROL_APPROACH;
     batch.n = 3;
     batch.steps = 2;
-    batch.targets = targets.data();
-    batch.undeformed_gap = gaps.data();
-    batch.columns.load = load.data();
+    batch.targets = RC_IN(targets.data());
+    batch.undeformed_gap = RC_IN(gaps.data());
+    batch.columns.load = RC_OUT(load.data());
     batch.written = 99;
   }
   Outcome run(std::int64_t written) {
@@ -94,11 +94,11 @@ Section batches() {
           {"batch without targets",
            refused,
            {"rc_batch_solve: rc_batch.targets is null but n = 3 and steps = 2"},
-           batch_with(0, [](Study& s) { s.batch.targets = nullptr; })},
+           batch_with(0, [](Study& s) { s.batch.targets = {}; })},
           {"batch without gaps",
            refused,
            {"rc_batch_solve: rc_batch.undeformed_gap is null but n = 3"},
-           batch_with(0, [](Study& s) { s.batch.undeformed_gap = nullptr; })},
+           batch_with(0, [](Study& s) { s.batch.undeformed_gap = {}; })},
           {"batch with undeformed_gap_stride = 15",
            RC_ERR_SHAPE,
            {"rc_batch.undeformed_gap_stride = 15 must be 0, RC_BATCH_SHARED (-1) or at least nx*ny = 16"},
@@ -117,7 +117,7 @@ Section batches() {
            batch_with(0,
                       [](Study& s) {
                         s.batch.n = 0;
-                        s.batch.targets = s.batch.undeformed_gap = nullptr;
+                        s.batch.targets = s.batch.undeformed_gap = {};
                       })},
           {"batch with NaN in the gap of contact 1",
            refused,

@@ -21,13 +21,13 @@ struct Request {
   rc_tangent tangent = RC_TANGENT_INIT;
 
   Request() {
-    gradient.dJ_dp = by_p.data();
-    gradient.dJ_dgap = by_gap.data();
-    gradient.dJ_dundeformed_gap = out.data();
+    gradient.dJ_dp = RC_IN(by_p.data());
+    gradient.dJ_dgap = RC_IN(by_gap.data());
+    gradient.dJ_dundeformed_gap = RC_OUT(out.data());
     gradient.dJ_dtarget = tangent.dload = untouched;
-    tangent.dundeformed_gap = change.data();
-    tangent.dp = dp.data();
-    tangent.dgap = dgap.data();
+    tangent.dundeformed_gap = RC_IN(change.data());
+    tangent.dp = RC_OUT(dp.data());
+    tangent.dgap = RC_OUT(dgap.data());
   }
   Request(const Request&) = delete;
   Request& operator=(const Request&) = delete;
@@ -169,8 +169,8 @@ Section derivatives() {
           {"derivatives after `rc_contact_restore`", refused, {not_certified}, after([](rc_contact* contact, const Scene& scene) {
              assert_int_equal(solve(contact, scene), RC_OK);
              rc_state state = RC_STATE_INIT;
-             state.undeformed_gap = scene.gap.data();
-             state.p = answer().p().data();
+             state.undeformed_gap = RC_IN(scene.gap.data());
+             state.p = RC_IN(answer().p().data());
              assert_int_equal(rc_contact_restore(contact, &state), RC_OK);
            })},
           {"derivatives from within the solve",

@@ -21,9 +21,9 @@ struct History {
   History() {
     path.control = RC_CONTROL_APPROACH;
     path.n = 3;
-    path.targets = targets.data();
-    path.undeformed_gap = scene.gap.data();
-    path.columns.load = load.data();
+    path.targets = RC_IN(targets.data());
+    path.undeformed_gap = RC_IN(scene.gap.data());
+    path.columns.load = RC_OUT(load.data());
     path.completed = 99;
   }
   Outcome run(rc_contact* contact, std::int64_t wanted) {
@@ -46,7 +46,7 @@ Outcome gap_of_the_step_before() {
   History history;
   const ContactHandle contact = made(history.scene);
   assert_int_equal(solve(contact.get(), history.scene), RC_OK);
-  history.path.undeformed_gap = nullptr;
+  history.path.undeformed_gap = {};
   return history.run(contact.get(), 3);
 }
 
@@ -106,7 +106,7 @@ Section paths() {
                path_with(0,
                          [](History& h) {
                            h.path.n = 0;
-                           h.path.targets = nullptr;
+                           h.path.targets = {};
                          })},
               {"path with n = -1",
                refused,
@@ -115,7 +115,7 @@ Section paths() {
               {"path without targets",
                refused,
                {"rc_contact_solve_history: rc_history.targets is null but rc_history.n = 3"},
-               path_with(0, [](History& h) { h.path.targets = nullptr; })},
+               path_with(0, [](History& h) { h.path.targets = {}; })},
               {"path with control = 3",
                refused,
                {"rc_history.control = 3 is none of RC_CONTROL_APPROACH (1), RC_CONTROL_LOAD (2), RC_CONTROL_AREA (4), "
@@ -145,7 +145,7 @@ Section paths() {
                refused,
                {"rc_contact_solve_history: step 0, targets[0] = 0.2: rc_step.undeformed_gap.data is null and no earlier step "
                 "gave one"},
-               path_with(0, [](History& h) { h.path.undeformed_gap = nullptr; })},
+               path_with(0, [](History& h) { h.path.undeformed_gap = {}; })},
               {"path without a gap after a step", RC_OK, {}, gap_of_the_step_before},
               {"path with a negative load",
                RC_ERR_INFEASIBLE,
@@ -200,7 +200,7 @@ Section paths() {
               {"path's `fn` asks for points without a place for their number",
                refused,
                {"rc_contact_points: n is null"},
-               [] { return from_path([](rc_contact* c) { return rc_contact_points(c, 0, nullptr, nullptr, nullptr); }); }},
+               [] { return from_path([](rc_contact* c) { return rc_contact_points(c, 0, {}, {}, nullptr); }); }},
               {"`rc_contact_level`: contact is null",
                refused,
                {"rc_contact_level: contact is null"},
@@ -225,18 +225,18 @@ Section paths() {
                {"rc_contact_points: contact is null"},
                [] {
                  std::int64_t n = 0;
-                 return rc_contact_points(nullptr, 0, nullptr, nullptr, &n);
+                 return rc_contact_points(nullptr, 0, {}, {}, &n);
                }},
               {"`rc_contact_points`: n is null",
                refused,
                {"rc_contact_points: n is null"},
-               [] { return rc_contact_points(made(Scene()).get(), 0, nullptr, nullptr, nullptr); }},
+               [] { return rc_contact_points(made(Scene()).get(), 0, {}, {}, nullptr); }},
               {"`rc_contact_points`: room = -1",
                refused,
                {"rc_contact_points: room = -1 must be >= 0"},
                [] {
                  std::int64_t n = 0;
-                 return rc_contact_points(made(Scene()).get(), -1, nullptr, nullptr, &n);
+                 return rc_contact_points(made(Scene()).get(), -1, {}, {}, &n);
                }},
               {"`rc_contact_explain`: contact is null",
                refused,

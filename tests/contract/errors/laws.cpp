@@ -23,8 +23,8 @@ struct Patch {
   rc_law_spec spec = RC_LAW_SPEC_INIT;
 
   Patch() {
-    spec.undeformed_gap = scene.gap.data();
-    spec.mask = mask.data();
+    spec.undeformed_gap = RC_IN(scene.gap.data());
+    spec.mask = RC_IN(mask.data());
     spec.p_lower = 0.01;
     spec.p_upper = 0.1;
     spec.tolerance = 0.05;
@@ -102,8 +102,8 @@ template <class Spoil> auto slip_with(const Spoil& spoil, double x = 0.1, double
   };
 }
 
-// Products of the usual scene, with these distances between neighbours.
-template <class Spoil> auto product_with(const Spoil& spoil, std::int64_t p_y = side, std::int64_t u_y = side) {
+// Products of the usual scene.
+template <class Spoil> auto product_with(const Spoil& spoil) {
   return [=]() -> Outcome {
     const Scene scene;
     rc_product* made = nullptr;
@@ -111,7 +111,7 @@ template <class Spoil> auto product_with(const Spoil& spoil, std::int64_t p_y = 
     const ProductHandle product(made);
     std::vector<double> p(points, 1.0), u(points, untouched);
     spoil(p);
-    const Outcome outcome = rc_product_apply(made, p.data(), 1, p_y, u.data(), 1, u_y);
+    const Outcome outcome = rc_product_apply(made, RC_IN(p.data()), RC_OUT(u.data()));
     for (const double value : u) assert_true(value == untouched);
     return outcome;
   };
@@ -148,7 +148,7 @@ Section laws() {
               {"`rc_law_create`: undeformed_gap is null",
                refused,
                {"rc_law_create: rc_law_spec.undeformed_gap is null"},
-               patch_with([](Patch& a) { a.spec.undeformed_gap = nullptr; })},
+               patch_with([](Patch& a) { a.spec.undeformed_gap = {}; })},
               {"`rc_law_create`: all points masked", refused, {"rc_law_create: all points are masked"}, patch_with([](Patch& a) {
                  a.mask.assign(points, 0);
                })},
@@ -232,12 +232,21 @@ Section laws() {
                  assert_true(p == untouched);
                  return outcome;
                }},
+              {"`rc_law_pressures`: an output in a device's memory",
+               refused,
+               {"rc_law_pressures: slope.memory = \"cuda\": this call takes arrays in the host's memory only; copy it there, and set "
+                "memory to null"},
+               [] {
+                 const double x[] = {0.1};
+                 double slope[] = {0};
+                 return rc_law_pressures(usual_law(), 1, RC_IN(x), {}, {slope, RC_NATIVE, 0, "cuda"}, {});
+               }},
               {"`rc_law_pressures`: a number is infinite",
                refused,
                {"rc_law_pressures: x[1] = inf is not finite"},
                [] {
                  const double x[] = {0, infinity};
-                 return rc_law_pressures(usual_law(), 2, x, nullptr, nullptr, nullptr);
+                 return rc_law_pressures(usual_law(), 2, RC_IN(x), {}, {}, {});
                }},
               {"`rc_law_overclosure`: x is null",
                refused,
@@ -398,14 +407,18 @@ Section products() {
            RC_ERR_NUMERIC,
            {"rc_product_apply: a deflection is not finite; p is up to"},
            product_with([](std::vector<double>& p) { p.assign(points, 1.7e308); })},
-          {"`rc_product_apply`: points of u coincide",
+          {"`rc_product_apply`: p of another type",
            refused,
-           {"rc_product_apply: u_x = 1, u_y = 0: some of the 4 x 4 points of u coincide"},
-           product_with(nothing, side, 0)},
-          {"`rc_product_apply`: a distance beyond all memory",
-           refused,
-           {"rc_product_apply: p_y = 4611686018427387904, a distance between neighbours, must be within +-144115188075855871"},
-           product_with(nothing, std::int64_t{1} << 62)},
+           {"rc_product_apply: p.type = 1 is not RC_NATIVE"},
+           [] {
+             const Scene scene;
+             rc_product* made = nullptr;
+             assert_int_equal(rc_product_create(&scene.system, nullptr, &made), RC_OK);
+             const ProductHandle product(made);
+             std::vector<float> p(points, 1.0F);
+             std::vector<double> u(points, untouched);
+             return Outcome(rc_product_apply(made, {p.data(), RC_SINGLE, 0, nullptr}, RC_OUT(u.data())));
+           }},
       }};
 }
 

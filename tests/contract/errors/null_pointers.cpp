@@ -229,7 +229,7 @@ Section null_pointers() {
            {"rc_product_apply: product is null"},
            [] {
              double p = 0, u = 0;
-             return rc_product_apply(nullptr, &p, 1, 1, &u, 1, 1);
+             return rc_product_apply(nullptr, RC_IN(&p), RC_OUT(&u));
            }},
           {"`rc_contact_set_options`: contact is null",
            refused,
@@ -294,19 +294,19 @@ Section null_pointers() {
            {"rc_gap_from_heights: heights is null"},
            [] {
              double gap = 0;
-             return rc_gap_from_heights(1, nullptr, nullptr, &gap);
+             return rc_gap_from_heights(1, {}, {}, RC_OUT(&gap));
            }},
           {"`rc_gap_from_heights`: undeformed_gap is null",
            refused,
            {"rc_gap_from_heights: undeformed_gap is null"},
            [] {
              const double height = 0;
-             return rc_gap_from_heights(1, &height, nullptr, nullptr);
+             return rc_gap_from_heights(1, RC_IN(&height), {}, {});
            }},
           {"`rc_gap_from_heights`: n = -1",
            refused,
            {"rc_gap_from_heights: n = -1 must be >= 0"},
-           [] { return rc_gap_from_heights(-1, nullptr, nullptr, nullptr); }},
+           [] { return rc_gap_from_heights(-1, {}, {}, {}); }},
           {"`rc_contact_reset`: contact is null",
            refused,
            {"rc_contact_reset: contact is null"},

@@ -17,9 +17,9 @@ struct Stand {
   rc_state state = RC_STATE_INIT;
 
   Stand() {
-    state.undeformed_gap = scene.gap.data();
-    state.mask = mask.data();
-    state.p = p.data();
+    state.undeformed_gap = RC_IN(scene.gap.data());
+    state.mask = RC_IN(mask.data());
+    state.p = RC_IN(p.data());
   }
 };
 
@@ -59,7 +59,7 @@ Section restores() {
            {"rc_contact_restore: rc_state.struct_size = " + too_small<rc_state>(0) + "; set it to sizeof(rc_state)"},
            restored([](Stand& stand) { stand.state.struct_size = 0; })},
           {"state without a gap", refused, {"rc_contact_restore: rc_state.undeformed_gap is null"}, restored([](Stand& stand) {
-             stand.state.undeformed_gap = nullptr;
+             stand.state.undeformed_gap = {};
            })},
           {"state with a gap that is NaN",
            refused,
@@ -97,26 +97,26 @@ Section restores() {
            restored([](Stand& stand) {
              stand.scene.system.hardness = 1;
              stand.p[1] = -1;
-             stand.state.indentation = std::exchange(stand.state.p, nullptr);
+             stand.state.indentation = std::exchange(stand.state.p, rc_const_array{});
            })},
           {"state with an indentation without a hardness",
            refused,
            {"rc_contact_restore: rc_state.indentation[1] = 1 but the system has no hardness"},
            restored([](Stand& stand) {
              stand.p[1] = 1;
-             stand.state.indentation = std::exchange(stand.state.p, nullptr);
+             stand.state.indentation = std::exchange(stand.state.p, rc_const_array{});
            })},
           {"`rc_contact_indentation`: contact is null",
            refused,
            {"rc_contact_indentation: contact is null"},
            [] {
              double one = 0;
-             return rc_contact_indentation(nullptr, &one);
+             return rc_contact_indentation(nullptr, RC_OUT(&one));
            }},
           {"`rc_contact_indentation`: indentation is null",
            refused,
            {"rc_contact_indentation: indentation is null"},
-           [] { return rc_contact_indentation(made(Scene()).get(), nullptr); }},
+           [] { return rc_contact_indentation(made(Scene()).get(), {}); }},
       }};
 }
 

@@ -42,7 +42,7 @@ std::vector<rc_level> levels_of(const Contact& contact, const Answer& answer, st
     check(rc_contact_level(contact.handle(), i, &level) == RC_OK, rc_last_error());
     if (pressures) {
       pressures->emplace_back(static_cast<std::size_t>(level.nx * level.ny));
-      level.p = pressures->back().data();
+      level.p = RC_OUT(pressures->back().data());
       check(rc_contact_level(contact.handle(), i, &level) == RC_OK, rc_last_error());
     }
     levels.push_back(level);

@@ -243,7 +243,7 @@ void a_law_remembers_whether_it_has_a_conductance(void**) {
   std::vector<double> gap;
   for (std::int64_t i = 0; i < side * side; ++i) gap.push_back(static_cast<double>(i * 37 % 101) * 1e-2);
   rc_law_spec spec = RC_LAW_SPEC_INIT;
-  spec.undeformed_gap = gap.data();
+  spec.undeformed_gap = RC_IN(gap.data());
   spec.p_lower = 0.01;
   spec.p_upper = 0.05;
   spec.tolerance = 0.05;

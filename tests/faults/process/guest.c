@@ -111,8 +111,8 @@ static rc_status history(void) {
   rc_history path = RC_HISTORY_INIT;
   path.control = RC_CONTROL_APPROACH;
   path.n = 3;
-  path.targets = targets;
-  path.undeformed_gap = gap;
+  path.targets = RC_IN(targets);
+  path.undeformed_gap = RC_IN(gap);
   path.fn = on_step;
   return rc_contact_solve_history(contact, &path);
 }
@@ -122,17 +122,17 @@ static rc_status batch(void) {
   many.control = RC_CONTROL_APPROACH;
   many.n = contacts;
   many.steps = 1;
-  many.targets = &target;
+  many.targets = RC_IN(&target);
   many.target_stride = RC_BATCH_SHARED;
-  many.undeformed_gap = gap;
-  many.columns.load = values;
+  many.undeformed_gap = RC_IN(gap);
+  many.columns.load = RC_OUT(values);
   many.fn = on_contact;
   return rc_batch_solve(&matrix, options, &many);
 }
 static rc_status law(void) {
   rc_law_spec spec = RC_LAW_SPEC_INIT;
   rc_law* made = NULL;
-  spec.undeformed_gap = gap;
+  spec.undeformed_gap = RC_IN(gap);
   spec.p_lower = 1e-3;
   spec.p_upper = 1e-2;
   spec.tolerance = 0.05;
@@ -143,10 +143,10 @@ static rc_status law(void) {
   rc_law_destroy(made);
   return status;
 }
-static rc_status punch(void) { return rc_punch_stiffness(&matrix, NULL, options, &values[0], &values[1], &values[2]); }
+static rc_status punch(void) { return rc_punch_stiffness(&matrix, RC_IN(NULL), options, &values[0], &values[1], &values[2]); }
 static rc_status gradient(void) {
   rc_gradient by = RC_GRADIENT_INIT;
-  by.dJ_dp = result_p;
+  by.dJ_dp = RC_IN(result_p);
   return rc_contact_gradient(contact, &by);
 }
 static rc_status tangent(void) {

@@ -76,11 +76,11 @@ struct Derivatives {
   rc_tangent tangent = RC_TANGENT_INIT;
 
   Derivatives() {
-    gradient.dJ_dp = gradient.dJ_dgap = given.data();
-    gradient.dJ_dundeformed_gap = by_gap.data();
-    tangent.dundeformed_gap = given.data();
-    tangent.dp = dp.data();
-    tangent.dgap = dgap.data();
+    gradient.dJ_dp = gradient.dJ_dgap = RC_IN(given.data());
+    gradient.dJ_dundeformed_gap = RC_OUT(by_gap.data());
+    tangent.dundeformed_gap = RC_IN(given.data());
+    tangent.dp = RC_OUT(dp.data());
+    tangent.dgap = RC_OUT(dgap.data());
   }
   bool no_gradient() const { return poisoned(by_gap) && gradient.products == 0; }
   bool no_tangent() const { return poisoned(dp) && poisoned(dgap) && tangent.products == 0; }
@@ -127,7 +127,7 @@ class Life {
   // The indentation that the contact has; none before the first step.
   std::vector<double> indentation() const {
     std::vector<double> depth(points, 0.0);
-    if (pressed()) assert_int_equal(rc_contact_indentation(contact_, depth.data()), RC_OK);
+    if (pressed()) assert_int_equal(rc_contact_indentation(contact_, RC_OUT(depth.data())), RC_OK);
     return depth;
   }
   bool pressed() const { return pressed_.result.points > 0; }

@@ -41,7 +41,7 @@ static void make_surface(const rc_system* system, int rough) {
         gap[iy * system->nx + ix] += 0.1 * (double)cell * (level[iy / cell * system->nx + ix / cell] + x * x + y * y);
       }
   }
-  rc_gap_from_heights(system->nx * system->ny, gap, NULL, gap);
+  rc_gap_from_heights(system->nx * system->ny, RC_IN(gap), RC_IN(NULL), RC_OUT(gap));
 }
 
 static void solve(const rc_system* system, const char* solver, const char* backend, int32_t control, double target) {
