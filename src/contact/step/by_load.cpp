@@ -101,7 +101,7 @@ Answer at_load(const GridProblem& problem, const Memory& memory, const Step& ste
                std::optional<Estimate> estimate) {
   const System& system = problem.system;
   const StepSurface& surface = problem.surface;
-  const Company& company = problem.company();
+  const Rows& rows = problem.rows();
   const CertifiedStep& last = memory.last;
   const double lowest = surface.lowest(), load = step.target.value / system.cell_area();
   const double ratio = last.load > 0 ? step.target.value / last.load : infinite;
@@ -122,8 +122,7 @@ Answer at_load(const GridProblem& problem, const Memory& memory, const Step& ste
   for (int round = 0;; ++round) {
     double limit = std::max(lowest + height, std::nextafter(lowest, infinite));
     TrialSet set = system.halfspace() ? trial_below(limit, problem) : included_points(surface);
-    while (!company.by_rows() && static_cast<double>(set.n) * system.hardness < spare * load &&
-           set.n < surface.range().included) {
+    while (!rows.shared() && static_cast<double>(set.n) * system.hardness < spare * load && set.n < surface.range().included) {
       height *= 2;
       limit = lowest + height;
       set = trial_below(limit, problem);
@@ -151,7 +150,7 @@ Answer at_load(const GridProblem& problem, const Memory& memory, const Step& ste
       const double shift = zero_mode * wanted / static_cast<double>(system.points());
       answer.status = balance_load(answer, wanted, shift, first, problem, attempt);
     }
-    if (direct && !company.by_rows() && answer.status == RC_STOP_STALLED &&
+    if (direct && !rows.shared() && answer.status == RC_STOP_STALLED &&
         (problem.options.integer(RC_OPT_ALLOW_FALLBACK) != 0 || answer.op->has_subset())) {
       // A solver whose own load control goes in circles may still do approach control.
       handed_over = true;
@@ -161,7 +160,7 @@ Answer at_load(const GridProblem& problem, const Memory& memory, const Step& ste
     const double sum = zero_mode != 0 ? std::accumulate(answer.p.begin(), answer.p.end(), 0.0) : 0;
     answer.datum_shift = per_load * sum * height;
     answer.compression = (answer.compression + per_load * (wanted - sum)) * height;
-    const bool covered = company.by_rows() || trial.set().n == surface.range().included || answer.compression <= answer.limit;
+    const bool covered = rows.shared() || trial.set().n == surface.range().included || answer.compression <= answer.limit;
     const bool finite = std::isfinite(answer.compression);  // else the certificate reports it
     if (covered || !finite || answer.status != RC_OK || round == most_widenings) return std::move(answer);
     height = growth * answer.compression;

@@ -203,9 +203,9 @@ void connect(BoundProblem& problem) {
   const std::uint64_t caps = run.op.capabilities();
   problem.struct_size = sizeof(rc_problem);
   problem.apply = apply;
-  const Company& company = run.problem.company();
-  const bool all_here = !company.by_rows();
-  problem.rows = company.shown_in(problem.shared);
+  const Ranks* const ranks = run.problem.rows().ranks();
+  const bool all_here = !ranks;
+  if (ranks) problem.rows = &(problem.shared = SharedRows(*ranks));
   problem.subset = all_here && (run.fallbacks || (caps & RC_CAP_SUBSET)) ? subset : nullptr;
   problem.poll = poll;
   problem.lambda_min = run.problem.system.bounds.lambda_min;
@@ -295,7 +295,7 @@ rc_status SolverRun::operator()(std::int32_t control, std::span<const double> u,
     warmed_up_ = true;
     if (const rc_status status = warm_up(posed, p.data(), &d); status != RC_OK) return status;
   }
-  if (history_ && problem.goal.keeps_answers && grid.nx > 0 && !problem.company().by_rows()) {
+  if (history_ && problem.goal.keeps_answers && grid.nx > 0 && !problem.rows().shared()) {
     const bool as_given = !warms_up(*choice.solver, problem.options);
     posed.steps = {{.struct_size = sizeof(rc_kept_steps),
                     .last = as_given ? history_->last.of(*choice.solver) : nullptr,
