@@ -26,9 +26,9 @@ constexpr double near_load = 1.1;     // ratio of two loads up to which that is 
 constexpr double spare = 1.02;        // the hardness on all points of the trial set, over the load, at least
 constexpr double farthest_load = 4;   // ratio of two loads above which the one's pressures are no help for the other
 
-// Height above the lowest gap below which all contact is expected: that of a bed of springs; if it is too small the trial set
-// grows. Between two loads on the same surface the approach grows at most in proportion, because the load is a convex function of
-// the approach; a plastic indentation in between raises the lowest gap.
+// The compression that the trial set must allow. A cold step takes that of a bed of springs, a warm one also the last compression
+// times the ratio of loads: the load is convex in the approach, as long as no plastic indentation raises the lowest gap. It may
+// be too small; then the caller widens the trial set.
 double approach_estimate(double load, bool warm, const GridProblem& problem, const CertifiedStep& last) {
   const rc_system& s = problem.system.given;
   const double ratio = warm ? std::max(1.0, load / last.load) : infinite;

@@ -154,13 +154,13 @@ rc_status inner_solve(const BoundProblem& outer, const char* name, std::span<con
   if (problem.trial.n < outer.n || !outer.trial.index.empty())
     for (const std::int64_t i : a) problem.trial.index.push_back(outer.trial.point(i));
   std::vector<double> u, start;
-  const auto compenetration = [&](std::int64_t i) {
+  const auto penetration = [&](std::int64_t i) {
     return outer.u ? outer.u[i]
                    : (outer.where.approach - run.problem.surface.gap_at(static_cast<std::size_t>(outer.trial.point(i)))) /
                          outer.length;
   };
   for (const std::int64_t i : a) {
-    u.push_back(compenetration(i));
+    u.push_back(penetration(i));
     start.push_back(p[i]);
   }
   problem.n = problem.trial.n;

@@ -23,7 +23,7 @@ TrialSet widened(TrialSet trial, const Choice& choice, const GridProblem& proble
 }
 
 // The dimensionless u = (datum - gap) / unit; empty if the solver reads the gap itself.
-std::vector<double> compenetrations(const Answer& answer, double datum, const GridProblem& problem) {
+std::vector<double> penetrations(const Answer& answer, double datum, const GridProblem& problem) {
   GatheredTiles* const gathered = problem.surface.gathered();
   if (!gathered && problem.system.halfspace() && takes_gap(*answer.choice.solver, problem.options)) return {};
   const TrialSet& trial = answer.op->trial();
@@ -67,7 +67,7 @@ void Trial::continue_from(const Memory& memory, const Step& from, bool of_earlie
 }
 
 void Trial::solve(double load, double tol, double datum, double& d) {
-  const std::vector<double> u = compenetrations(answer, datum, problem_);
+  const std::vector<double> u = penetrations(answer, datum, problem_);
   SolverRun run(problem_, answer, attempt_, step_.look, follows_ ? &answer.history : nullptr);
   answer.status = run(step_.target.control, u, load, tol, datum, answer.p, d);
 }
