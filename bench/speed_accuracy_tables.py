@@ -2,10 +2,10 @@
 import os
 
 import headline
-from charts import Panels, axes, decades, line, style, ticks
+from charts import Panels, axes, decades, line, style
 from goals import goal_section
 from samples import chosen, groups, median, rows_of
-from surfaces import MEASURED, TITLES
+from surfaces import TITLES
 from json_tables import load
 from tables import error, provenance, table
 
@@ -265,19 +265,15 @@ LEAST = 1e-14  # errors against a solution of tolerance 1e-13 say nothing below
 GRID = 'lines lw 1.4 lc rgb "#222222" dt (12,6)'
 FRONT = 'lines lw 7 lc rgb "#C4C4C4" dt 1'
 LOOKS = {name: line(look) for name, look in {  # methods that are drawn: colour, dash and marker each tell them apart
-    FAST: 'lc rgb "#000000" dt 1 pt 7', 'haar-cg, fft, double': 'lc rgb "#000000" dt (4,3) pt 6',
-    'haar-cg, fft, single': 'lc rgb "#D55E00" dt 1 pt 9', 'haar-cg, split': 'lc rgb "#0072B2" dt (12,4) pt 5',
-    'polonsky-keer, fft': 'lc rgb "#E69F00" dt (12,4,2,4) pt 13', 'polonsky-keer, fft, single': 'lc rgb "#E69F00" dt (2,3) pt 12',
+    FAST: 'lc rgb "#000000" dt 1 pt 7', 'haar-cg, fft, single': 'lc rgb "#D55E00" dt 1 pt 9',
+    'haar-cg, split': 'lc rgb "#0072B2" dt (12,4) pt 5', 'polonsky-keer, fft': 'lc rgb "#E69F00" dt (12,4,2,4) pt 13',
     'nnls, fft': 'lc rgb "#009E73" dt (2,3) pt 11', 'nnls, dense': 'lc rgb "#CC79A7" dt (8,8) pt 15',
-    'gp, fft': 'lc rgb "#56B4E9" dt (8,3) pt 4', 'admm, fft': 'lc rgb "#777777" dt (2,3) pt 10',
-    'cmr, fft': 'lc rgb "#777777" dt (8,3) pt 14',
-    'greedy, fft': 'lc rgb "#777777" dt 1 pt 8'}.items()}
-FEW = [FAST, 'haar-cg, fft, single', 'haar-cg, split', 'polonsky-keer, fft', 'nnls, fft', 'nnls, dense', 'gp, fft']
+    'gp, fft': 'lc rgb "#56B4E9" dt (8,3) pt 4'}.items()}
 PEERS = {code: (title, f'points pt "{letter}" tc rgb "{colour}"') for code, title, letter, colour in (  # a letter marks each
     ('aspher-fft', 'ASPHER, fft', 'A', '#AA0000'), ('aspher-h2', 'ASPHER, h2', 'H', '#7A4A00'), ('tamaas-free', 'Tamaas', 'T', '#5B2C9F'),
     ('contactmechanics', 'ContactMechanics', 'C', '#00572F'))}
 BETTER = 'set label 2 "↙ better" at screen left, graph -0.2\n'
-AXES = {'load_error': 'load', 'pressure_error': 'pressure', 'true_load_error': 'load', 'true_pressure_error': 'pressure'}
+AXES = {'pressure_error': 'pressure', 'true_load_error': 'load', 'true_pressure_error': 'pressure'}
 
 
 def clipped(points, key):
@@ -285,13 +281,12 @@ def clipped(points, key):
     return [(point['seconds'], max(point[key], LEAST)) for point in points]
 
 
-def errors_panel(drawing, document, place, case, key, names):
-    """Time against the error of the solver, and the error that the grid makes anyway. Other codes hold the load: its error says
-    nothing about them."""
-    known = lines(document, case)
-    drawn = {name: known[name] for name in names if name in known}
+def errors_panel(drawing, document, place, case):
+    """Time against the error of the solver, and the error that the grid makes anyway."""
+    key, known = 'pressure_error', lines(document, case)
+    drawn = {name: known[name] for name in LOOKS if name in known}
     others = [row for row in of_case(document, 'peers', case) if row['code'] in PEERS and 'error' not in row]
-    peers = {code: rows for (code,), rows in groups(others, 'code').items()} if key == 'pressure_error' else {}
+    peers = {code: rows for (code,), rows in groups(others, 'code').items()}
     curves = [drawing.curve(front(clipped(sum(known.values(), []), key)), FRONT)]
     curves.append(f'{max(grid_error(document, case, key) or 0, LEAST)!r} with {GRID}')
     curves += [drawing.curve(clipped(points, key), LOOKS[name]) for name, points in drawn.items()]
@@ -302,12 +297,12 @@ def errors_panel(drawing, document, place, case, key, names):
     return drawn.keys() | peers.keys()
 
 
-def errors_picture(document, file, panels, names):
-    """Panels of (case, error), two in a row."""
-    rows = (len(panels) + 1) // 2
+def errors_picture(document, file, shown):
+    """Panels of cases, two in a row."""
+    rows = (len(shown) + 1) // 2
     drawing, drawn = Panels(800, 265 * rows, 2, rows), set()
-    for i, (case, key) in enumerate(panels):
-        drawn |= errors_panel(drawing, document, (i % 2, i // 2), case, key, names)
+    for i, case in enumerate(shown):
+        drawn |= errors_panel(drawing, document, (i % 2, i // 2), case)
     entries = [entry for name, entry in {**{name: (name, look) for name, look in LOOKS.items()}, **PEERS}.items() if name in drawn]
     drawing.draw(file, entries + [('Pareto front of all methods', FRONT), ("the grid's own error", GRID)], 2)
 
@@ -340,20 +335,6 @@ def grid_picture(document, file):
     drawing.draw(file, [(name, style(number)) for number, name in enumerate(names)], 3)
 
 
-def kernel_picture(document, file):
-    drawing, looks = Panels(800, 320, 2, 1), {kernel: style(number) for number, kernel in enumerate(['love', 'galerkin', 'disc', 'punch', 'eq9'])}
-    for column, case in enumerate(middle(document, ['hertz', 'self-affine'])):
-        known = grids(document, case, usual=False)
-        found = {kernel: sorted((grid, max(points[-1]['true_load_error'], LEAST)) for (grid, name), points in known.items() if name == kernel)
-                 for kernel in looks}
-        sides = sorted({grid for grid, _ in known})
-        drawing.panel(column, 0, f'{TITLES[case["scene"]]}, {100 * case["contact"]:g} %: load',
-                      axes('points a side', 'error against the truth', (sides[0] / 1.3, sides[-1] * 1.3),
-                           decades([error for points in found.values() for _, error in points]), ticks('x', [(side, side) for side in sides])),
-                      [drawing.curve(points, looks[kernel]) for kernel, points in found.items() if points])
-    drawing.draw(file, list(looks.items()), 5)
-
-
 def headline_picture(document, file):
     """The contact of README.md."""
     for case in cases(document, scene='self-affine', contact=0.1):
@@ -365,18 +346,9 @@ def headline_picture(document, file):
 
 def pictures(results, images):
     document = load(results, 'pareto')
-    both, pressure = ('load_error', 'pressure_error'), ('pressure_error',)
-    known = {'speed-accuracy': (best_known(document, ('hertz', 0.1), ('self-affine', 0.1), ('rmd-0.7', 0.4), ('afm_film', 0.1)), pressure, FEW),
-             'pareto-generated': (middle(document, [scene for scene in TITLES if scene not in MEASURED]), both, list(LOOKS)),
-             'pareto-measured': (middle(document, MEASURED), both, list(LOOKS)),
-             'pareto-contacts': ([case for scene in ('self-affine', 'afm_film') for case in cases(document, scene=scene)], pressure, FEW)}
-    if not cases(document):
+    shown = best_known(document, ('hertz', 0.1), ('self-affine', 0.1), ('rmd-0.7', 0.4), ('afm_film', 0.1))
+    if not shown:
         return
-    for name, (chosen, keys, methods) in known.items():
-        if chosen:
-            errors_picture(document, os.path.join(images, name + '.png'), [(case, key) for case in chosen for key in keys], methods)
-        else:
-            print(f'no surface for it: {name}.png stays as it is')
+    errors_picture(document, os.path.join(images, 'speed-accuracy.png'), shown)
     headline_picture(document, os.path.join(images, 'headline.svg'))
-    grid_picture(document, os.path.join(images, 'pareto-grids.png'))
-    kernel_picture(document, os.path.join(images, 'pareto-kernels.png'))
+    grid_picture(document, os.path.join(images, 'speed-accuracy-grids.png'))

@@ -302,7 +302,7 @@ Choice choose(const rc_options& options, const System& system, const StepFacts& 
 Choice choose_for(const GridProblem& problem, const TrialSet& trial, std::int32_t control, const std::vector<std::string>& failed,
                   bool partial) {
   const rc_system& system = problem.system.given;
-  const bool shared = problem.company().by_rows();
+  const bool shared = problem.rows().shared();
   const StepFacts facts{.control = control,
                         .candidates = shared ? problem.system.points() : trial.n,
                         .box = shared ? problem.system.points() : box_points(trial, system.nx, system.ny),

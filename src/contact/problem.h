@@ -56,8 +56,9 @@ class GridProblem {
   // Checks the names of components before a step needs them. Throws Error(OPTION, NO_SOLVER, NO_BACKEND, INCOMPATIBLE).
   void set_options(const rc_options& given);
   const Company& company() const { return company_; }
+  const Rows& rows() const { return company_.rows(); }
   const rc_team& team() const { return *team_; }
-  std::int64_t own_points() const { return system.given.nx * company_.own_rows(system.given.ny); }  // of this process
+  std::int64_t own_points() const { return system.given.nx * rows().own(system.given.ny); }  // of this process
   Operators& operators() const { return *operators_; }
 
   const System system;

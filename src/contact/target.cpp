@@ -44,11 +44,11 @@ void check(const Step& step, const GridProblem& problem, const StepSurface& surf
       !(std::isfinite(surface.range().highest - surface.lowest()) && (by_load || std::isfinite(depth))))
     fail(RC_ERR_ARGUMENT, "the gap's range, ", surface.lowest(), " .. ", surface.range().highest, ", and the target ", target,
          " are too far apart for double precision");
-  problem.company().on_all([&] {
+  problem.rows().on_all([&] {
     for (std::int64_t i = 0; step.p0.data && i < problem.own_points(); ++i)
       if (const double p = value_at(step.p0, static_cast<std::size_t>(i)); !std::isfinite(p))
         fail(RC_ERR_ARGUMENT, "rc_step.p0[", i, "] = ", p, " is not finite (",
-             place(problem.company().first_row() * system.given.nx + i, system.given.nx), ")");
+             place(problem.rows().first() * system.given.nx + i, system.given.nx), ")");
   });
 }
 

@@ -57,6 +57,18 @@ Part reduce(std::int64_t n, const rc_team& team, const Body& body, Part total = 
   return total;
 }
 
+// The sum of part(0 .. n-1), one for each piece of this process's rows, over all ranks in their order. It takes no memory.
+template <class Part, class Of> Part total(const Ranks* ranks, std::size_t n, const Of& part) {
+  Part sum{};
+  for (std::size_t i = 0; i < n; ++i)
+    if (ranks)
+      ranks->put_part(i, part(i));
+    else
+      sum = sum + part(i);
+  if (ranks) ranks->each_part<Part>([&](const Part& each) { sum = sum + each; });
+  return sum;
+}
+
 // A bit for each of n values. Chunks share no word.
 class Marks {
  public:

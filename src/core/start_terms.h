@@ -24,7 +24,7 @@ template <class Real> constexpr Real full_bed_height(Real load, Real points, Rea
   return (load * std::sqrt(points) + points * mean_height) / points;
 }
 
-// Pressures of a start grow with the overlap at the estimated approach, which is the unit of the compenetration u.
+// Pressures of a start grow with the penetration u at the estimated approach, in units of the compression there.
 constexpr double cold_pressure(double u) { return larger_of(0.0, 1 + u); }
 
 // Whether they are the same everywhere instead: many points overlap, or the largest one would reach the cap.

@@ -85,7 +85,7 @@ rc_status solve_history(Contact& contact, const rc_history& history, const Histo
   const Asking asking(contact, wants);
 
   std::vector<double> p, gap;
-  contact.problem().company().on_all([&] {
+  contact.problem().rows().on_all([&] {
     const auto points = static_cast<std::size_t>(contact.problem().own_points());
     p.resize(history.fn ? points : 0);
     gap.resize(wants.gap ? points : 0);
@@ -99,7 +99,7 @@ rc_status solve_history(Contact& contact, const rc_history& history, const Histo
       const Prepared prepared = contact.prepare(step);
       clear_message();
       numbers.status = RC_STOP_CANCELLED;
-      if (!contact.problem().company().any(cancellable.cancelled())) numbers = contact.solve_prepared(prepared, outputs);
+      if (!contact.problem().rows().any(cancellable.cancelled())) numbers = contact.solve_prepared(prepared, outputs);
     } catch (const Error& error) {
       fail(error.code(), where(history, i), ": ", error.what());
     }

@@ -78,7 +78,7 @@ bool solved_alike(const rc_system& system) { return std::min(system.nx, system.n
 
 SharedContact::SharedContact(const Ranks& ranks, const rc_system& system, const rc_options& options)
     : ranks_(ranks.on(checked(system, options).ny, !solved_alike(system))), alike_(solved_alike(system)) {
-  contact_ = std::make_unique<Contact>(system, options, alike_ ? Company::repeated() : Company::sharing(ranks_));
+  contact_ = std::make_unique<Contact>(system, options, alike_ ? Company::repeated() : Company(Rows(ranks_)));
 }
 
 rc_const_array SharedContact::gathered(const rc_const_array& mine, std::size_t native, std::vector<std::byte>& all) const {

@@ -50,22 +50,22 @@ Level::Level(const GridProblem& finer, const rc_options& options, int halvings)
   problem_.surface = borrowed(cells_, finer.team());
 }
 
-void Level::halve_rows(const GridProblem& finer, const StepSurface& rows) {
+void Level::halve_rows(const GridProblem& finer, const StepSurface& surface) {
   constexpr std::int64_t most_gathered = 512 * 512;  // points
-  const Company &company = rows.points().company(), half = company.halved();
-  cells_ = downsample(rows.points().nx(), company.own_rows(0), rows.gap(), rows.mask(), Filter::mean);
-  const std::int64_t ny = half.all_rows(0);
-  if (cells_.nx * ny >= most_gathered && company.halvings() > 1) {
+  const Rows &own = surface.points().rows(), half = own.halved();
+  cells_ = downsample(surface.points().nx(), own.own(0), surface.gap(), surface.mask(), Filter::mean);
+  const std::int64_t ny = half.all(0);
+  if (cells_.nx * ny >= most_gathered && own.ranks()->halvings() > 1) {
     rows_ = StepSurface({cells_.nx, cells_.ny, cells_.gap, cells_.mask, true}, finer.team(), half);
     if (finer.operators().multiply_by_rows()) {
-      multiplies_ = std::make_unique<GridProblem>(problem_.system.given, problem_.options, &finer.team(), half);
+      multiplies_ = std::make_unique<GridProblem>(problem_.system.given, problem_.options, &finer.team(), Company(half));
       problem_.operators().multiply_by(multiplies_->operators());
     }
     problem_.surface = StepSurface(rows_, finer.team());
     return;
   }
-  cells_.gap = company.joined(std::move(cells_.gap));
-  cells_.mask = company.joined(std::move(cells_.mask));
+  cells_.gap = own.joined(std::move(cells_.gap));
+  cells_.mask = own.joined(std::move(cells_.mask));
   cells_.ny = ny;
   problem_.surface = borrowed(cells_, finer.team());
 }

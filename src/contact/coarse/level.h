@@ -30,7 +30,7 @@ class Level {
   int halvings() const { return halvings_; }  // from the finer grid to this one
 
  private:
-  void halve_rows(const GridProblem& finer, const StepSurface& rows);
+  void halve_rows(const GridProblem& finer, const StepSurface& surface);
 
   const int halvings_;
   CoarseGrid cells_;                         // the problem borrows them

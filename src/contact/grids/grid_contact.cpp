@@ -29,8 +29,8 @@ double longer_side(const rc_system& system) {
 StepSurface surface_with(const Indentation& indentation, std::span<const std::uint8_t> mask, const GridProblem& problem) {
   const rc_system& system = problem.system.given;
   const std::vector<double> gap = indentation.indented();
-  return StepSurface({system.nx, problem.company().own_rows(system.ny), gap, mask, false, longer_side(system)}, problem.team(),
-                     problem.company());
+  return StepSurface({system.nx, problem.rows().own(system.ny), gap, mask, false, longer_side(system)}, problem.team(),
+                     problem.rows());
 }
 
 // The surface that this step describes; nothing if it keeps that of the step before.
@@ -49,18 +49,18 @@ std::optional<IndentedSurface> given_surface(const rc_step& step, const GridProb
   }
   const rc_system& system = problem.system.given;
   const bool borrowed = given_anew && step.borrow != 0;
-  const GivenSurface given{system.nx, problem.company().own_rows(system.ny), gap, mask, borrowed, longer_side(system)};
-  return IndentedSurface{StepSurface(given, problem.team(), problem.company()), {}};
+  const GivenSurface given{system.nx, problem.rows().own(system.ny), gap, mask, borrowed, longer_side(system)};
+  return IndentedSurface{StepSurface(given, problem.team(), problem.rows()), {}};
 }
 
 void check_pressures(const rc_step& step, const Outputs& outputs, const GridProblem& problem) {
   if (!outputs.p.wanted()) fail(RC_ERR_ARGUMENT, "rc_result.p.data is null: the pressures to certify are expected there");
   const StepSurface& last = problem.surface;
-  problem.company().on_all([&] {
+  problem.rows().on_all([&] {
     for (std::int64_t k = 0; k < problem.own_points(); ++k) {
       const auto i = static_cast<std::size_t>(k);
       const double p = outputs.p.at(i);
-      const auto at = [&] { return place(problem.company().first_row() * problem.system.given.nx + k, problem.system.given.nx); };
+      const auto at = [&] { return place(problem.rows().first() * problem.system.given.nx + k, problem.system.given.nx); };
       if (!std::isfinite(p)) fail(RC_ERR_ARGUMENT, "rc_result.p[", i, "] = ", p, " is not finite (", at(), ")");
       if (p != 0 && (step.mask.data ? values_of<std::uint8_t>(step.mask)[i] == 0 : !step.undeformed_gap.data && !last.empty() && !last.included(i)))
         fail(RC_ERR_ARGUMENT, "rc_result.p[", i, "] = ", p, " but this point is excluded by the mask (", at(), ")");
@@ -77,9 +77,9 @@ Monitor GridContact::monitor() const {
 
 // Puts what the last step has left into the surface, which counts as the same.
 void GridContact::indent() {
-  if (!problem_.company().any(!overlap_.empty())) return;
+  if (!problem_.rows().any(!overlap_.empty())) return;
   Indentation next;
-  problem_.company().on_all([&] { next = indentation_.with(overlap_, problem_.surface.gap()); });
+  problem_.rows().on_all([&] { next = indentation_.with(overlap_, problem_.surface.gap()); });
   problem_.surface = surface_with(next, problem_.surface.mask(), problem_);
   indentation_ = std::move(next);
   overlap_ = {};
@@ -152,7 +152,7 @@ void GridContact::remember(Finished&& finished, const Choice& by) {
 }
 
 void GridContact::adopt(StepSurface&& given) {
-  const bool same = !problem_.company().any(problem_.surface.empty() || !same_surface(given, problem_.surface, problem_.team()));
+  const bool same = !problem_.rows().any(problem_.surface.empty() || !same_surface(given, problem_.surface, problem_.team()));
   memory_.surface_is(same);
   if (!same) problem_.facts.tilt.reset();
   problem_.surface = std::move(given);

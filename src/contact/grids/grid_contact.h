@@ -23,7 +23,7 @@ enum class Forgotten {
 
 class GridContact {
  public:
-  // team: null, or a team to use instead of its own. Of a company by rows all call the same functions.
+  // team: null, or a team to use instead of its own. If rows are shared, all ranks call the same functions.
   GridContact(const rc_system& system, const rc_options& options, const rc_team* team, const Company& company = {})
       : problem_(system, options, team, company) {
     problem_.coarse = &grids_;

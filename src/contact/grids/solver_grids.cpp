@@ -4,7 +4,6 @@
 
 #include "contact/coarse/level.h"
 #include "contact/grids/grid_contact.h"
-#include "core/company.h"
 #include "core/error.h"
 #include "core/host_call.h"
 
@@ -44,7 +43,7 @@ rc_status SolverGrids::solve(rc_coarse& request, const GridProblem& problem, con
   options.set(RC_OPT_STIFFNESS, std::int64_t{0});
   if (request.tol > 0) options.set(RC_OPT_TOL, request.tol);
 
-  if (problem.company().by_rows()) return solve_shared(request, problem, attempt.warm, system, options);
+  if (problem.rows().shared()) return solve_shared(request, problem, attempt.warm, system, options);
   Level& level = levels_[system.nx * system.ny];
   if (level.contact && level.summary.nx == system.nx)
     level.contact->problem().set_options(options);
@@ -77,13 +76,13 @@ rc_status SolverGrids::solve(rc_coarse& request, const GridProblem& problem, con
 // A small grid is solved by every process alike, all others by all of them together.
 rc_status SolverGrids::solve_shared(rc_coarse& request, const GridProblem& problem, bool warm, const rc_system& system,
                                     rc_options options) {
-  const Company& all = problem.company();
+  const Rows& rows = problem.rows();
   Level& level = levels_[system.nx * system.ny];
-  const Company half = all.halved();
-  const bool alike = system.nx * system.ny <= most_gathered || half.halvings() < 1;
+  const Rows half = rows.halved();
+  const bool alike = system.nx * system.ny <= most_gathered || half.ranks()->halvings() < 1;
   if (alike) options.set(RC_OPT_TIME_LIMIT, 0.0);  // a clock that stops one process stops all, between iterations
-  all.on_all([&] {
-    level.contact = std::make_unique<GridContact>(system, options, &problem.team(), alike ? Company::repeated() : half);
+  rows.on_all([&] {
+    level.contact = std::make_unique<GridContact>(system, options, &problem.team(), alike ? Company::repeated() : Company(half));
   });
   Numbers found;
   if (!alike) {
@@ -92,14 +91,14 @@ rc_status SolverGrids::solve_shared(rc_coarse& request, const GridProblem& probl
     const auto points = static_cast<std::size_t>(system.nx * system.ny);
     std::vector<double> gap, p;
     std::vector<std::uint8_t> mask;
-    const bool masked = all.any(request.mask != nullptr);
-    all.on_all([&] {
+    const bool masked = rows.any(request.mask != nullptr);
+    rows.on_all([&] {
       gap.resize(points);
       p.resize(points);
       mask.resize(masked ? points : 0);
     });
-    half.gather_rows(request.undeformed_gap, system.nx, gap.data());
-    if (masked) half.gather_rows(request.mask, system.nx, mask.data());
+    half.ranks()->gather_rows(request.undeformed_gap, system.nx, gap.data());
+    if (masked) half.ranks()->gather_rows(request.mask, system.nx, mask.data());
     try {
       const FlagIgnored a_flag_that_stops_one_process_stops_all;
       found = solved(*level.contact, coarse_step(request, warm, gap.data(), masked ? mask.data() : nullptr), {{p.data()}, {}});
@@ -108,11 +107,11 @@ rc_status SolverGrids::solve_shared(rc_coarse& request, const GridProblem& probl
       found.status = error.code();  // that of every process, so the solve continues without this grid
       set_message(error.what());
     }
-    std::copy_n(p.data() + half.first_row() * system.nx, half.own_rows(0) * system.nx, request.p);
+    std::copy_n(p.data() + half.first() * system.nx, half.own(0) * system.nx, request.p);
   }
   request.approach = found.approach;
   levels_.erase(system.nx * system.ny);  // the iteration that follows needs the memory
-  const rc_status stop = all.stop().value_or(RC_OK);
+  const rc_status stop = problem.company().stop().value_or(RC_OK);
   return stop != RC_OK ? stop : found.status;
 }
 

@@ -201,7 +201,7 @@ class Proof {
   }
   void add(Extent& support, std::size_t i) const {
     const auto point = static_cast<std::int64_t>(answer_.point(i));
-    support.add(point % system_.unit.nx, surface_.points().company().first_row() + point / system_.unit.nx);
+    support.add(point % system_.unit.nx, surface_.points().rows().first() + point / system_.unit.nx);
   }
   // Diagonal of the bounding box of the support's cells.
   double diagonal(const Extent& support) const {

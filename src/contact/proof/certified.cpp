@@ -67,7 +67,7 @@ Operator& certifying(const GridProblem& problem, Operator& solving) {
 }
 
 TrialSet all_if_kept(TrialSet trial, const GridProblem& problem) {
-  if (problem.company().by_rows() || trial.n == problem.own_points()) return {problem.own_points(), {}};
+  if (problem.rows().shared() || trial.n == problem.own_points()) return {problem.own_points(), {}};
   return trial;
 }
 
@@ -76,7 +76,7 @@ Operator* proving(const GridProblem& problem, const Answer& answer, const std::v
                   const Attempt& attempt) {
   if (answer.op) return &certifying(problem, *answer.op);
   TrialSet trial{static_cast<std::int64_t>(possible.size()), possible};
-  if (problem.surface.points().company().united(trial.n) == 0) return nullptr;
+  if (problem.surface.points().rows().united(trial.n) == 0) return nullptr;
   trial = all_if_kept(std::move(trial), problem);
   const Choice choice = choose_for(problem, trial, RC_CONTROL_APPROACH, attempt.failed, false);
   return &certifying(problem, problem.operators().bound(*choice.backend, trial));
@@ -181,7 +181,7 @@ Numbers certified_numbers(const GridProblem& problem, const Step& step, const An
                           double compression, double stiffness, const Attempt& attempt, std::optional<ProvenSets>* proven) {
   const System& system = problem.system;
   const StepSurface& surface = problem.surface;
-  const RimPoints rim(system.given, surface.points().company().first_row());
+  const RimPoints rim(system.given, surface.points().rows().first());
   const Survey found = survey(surface, compression, answer);
   Numbers result;
   const Totals& totals = result.totals = totals_of(problem, answer, found, rim, compression);
@@ -262,26 +262,26 @@ void take_units(const Answer& answer, const GridProblem& problem, std::vector<do
 Deflected deflected(const GridProblem& problem, Answer& answer, bool everywhere) {
   const std::int64_t points = problem.own_points();
   const rc_team& team = problem.team();
-  const Company& company = problem.company();
+  const Rows& rows = problem.rows();
   if (answer.checked && (!everywhere || answer.checked->on().n == points)) return std::move(*answer.checked);
   Deflected result;
   if (!answer.op) {
     result.pressures.on.n = points;
-    company.on_all([&] {
+    rows.on_all([&] {
       result.pressures.p.assign(static_cast<std::size_t>(points), 0.0);
       result.product.assign(result.size(), 0.0);
     });
     return result;
   }
   Operator& op = certifying(problem, *answer.op);
-  if (!everywhere && !company.by_rows() && only_unknowns_matter(problem, answer)) {
+  if (!everywhere && !rows.shared() && only_unknowns_matter(problem, answer)) {
     result.product = large_vector<double>(answer.p.size(), team);
     op.check(op.apply(answer.p.data(), result.product.data()), "the certificate's product");
     take_units(answer, problem, result.product);
     result.pressures = answer.take_pressures(team);
     return result;
   }
-  company.on_all([&] { result.product = large_vector<double>(static_cast<std::size_t>(points), team); });
+  rows.on_all([&] { result.product = large_vector<double>(static_cast<std::size_t>(points), team); });
   op.field(answer.p, result.product);
   take_units(answer, problem, result.product);
   result.pressures.on.n = points;
@@ -355,7 +355,7 @@ Deflected deflection(const GridProblem& problem, const TrialSet& trial, std::vec
   by.op = &problem.operators().bound(*by.choice.backend, trial);
   for (std::int64_t i = 0; i < trial.n; ++i) by.p.push_back(p[static_cast<std::size_t>(trial.point(i))]);
   Deflected result{{{problem.own_points(), {}}, std::move(p)}, {}};
-  problem.company().on_all([&] { result.product.resize(result.size()); });
+  problem.rows().on_all([&] { result.product.resize(result.size()); });
   by.op->field(by.p, result.product);
   for (double& value : result.product) value *= problem.system.length_per_pressure;
   return result;
@@ -363,11 +363,11 @@ Deflected deflection(const GridProblem& problem, const TrialSet& trial, std::vec
 
 Finished certify_given(const GridProblem& problem, const Step& step, const Attempt& attempt, const Outputs& outputs,
                        std::optional<double> compression) {
-  const Company& company = problem.company();
+  const Rows& rows = problem.rows();
   TrialSet trial;
   Deflected given{{{problem.own_points(), {}}, {}}, {}};
   std::vector<double>& p = given.pressures.p;
-  company.on_all([&] {
+  rows.on_all([&] {
     p.resize(static_cast<std::size_t>(problem.own_points()));
     for (std::size_t i = 0; i < p.size(); ++i) p[i] = outputs.p.at(i);
     for (std::size_t i = 0; i < p.size(); ++i)
@@ -376,8 +376,7 @@ Finished certify_given(const GridProblem& problem, const Step& step, const Attem
     given.product.assign(p.size(), 0.0);
   });
   Answer answer;
-  if (company.any(trial.n > 0))
-    given = deflection(problem, all_if_kept(std::move(trial), problem), std::move(p), answer, attempt);
+  if (rows.any(trial.n > 0)) given = deflection(problem, all_if_kept(std::move(trial), problem), std::move(p), answer, attempt);
   const double depth = !step.target.by_load() ? step.target.compression(problem.surface)
                        : compression          ? *compression
                                               : fitting_compression(problem, given);

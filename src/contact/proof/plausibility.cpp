@@ -28,13 +28,13 @@ std::vector<Sample> samples_of(const StepSurface& surface, std::int64_t nx, std:
   for (std::int64_t j = 0; j < my; ++j)
     for (std::int64_t i = 0; i < mx; ++i) {
       const std::int64_t x = (2 * i + 1) * nx / (2 * mx), row = (2 * j + 1) * ny / (2 * my),
-                         y = row - surface.points().company().first_row();
+                         y = row - surface.points().rows().first();
       const auto point = static_cast<std::size_t>(y * nx + x);
       if (y < 0 || y >= surface.points().count() / nx) continue;  // another process's
       if (surface.included(point))
         samples.push_back({static_cast<double>(x), static_cast<double>(row), surface.height(point) / surface.range().width()});
     }
-  return surface.points().company().joined(std::move(samples));
+  return surface.points().rows().joined(std::move(samples));
 }
 
 // The mean height of the samples at x or y = place.
@@ -126,7 +126,7 @@ bool isolated_peak(const System& system, const StepSurface& surface, const Defle
     Count operator+(const Count& b) const { return {n + b.n}; }
   };
   const rc_system& s = system.given;
-  const std::int64_t first = surface.points().company().first_row() * s.nx;
+  const std::int64_t first = surface.points().rows().first() * s.nx;
   const auto place = [&](std::size_t k) { return first + static_cast<std::int64_t>(answer.point(k)); };
   const Peak peak = surface.points().combined_over<Peak>(touching, [&](Peak& part, std::size_t k) {
     part = part + Peak{answer.p()[k], place(k)};

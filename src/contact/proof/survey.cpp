@@ -98,9 +98,9 @@ Survey survey(const StepSurface& surface, double compression, const Deflected& a
     return Terms{*std::max_element(product_of, product_of + lanes), *std::max_element(gap_of, gap_of + lanes),
                  std::accumulate(sum, sum + lanes, 0.0)};
   };
-  const Terms mine = reduce<Terms>(n, surface.points().team(), body), all = surface.points().company().united(mine);
+  const Terms mine = reduce<Terms>(n, surface.points().team(), body), all = surface.points().rows().united(mine);
   return {touching.list(), all.largest_product, all.largest_gap,
-          surface.points().company().by_rows() ? sum_by_pieces(surface, compression, answer) : mine.sum_of_gaps};
+          surface.points().rows().shared() ? sum_by_pieces(surface, compression, answer) : mine.sum_of_gaps};
 }
 
 }  // namespace rc

@@ -5,9 +5,10 @@
 #include <limits>
 #include <utility>
 
-#include "core/company.h"
+#include "core/chunks.h"
 #include "core/conjugate_gradients.h"
 #include "core/error.h"
+#include "core/rows.h"
 #include "core/stall.h"
 #include "core/sums.h"
 
@@ -41,9 +42,9 @@ std::int64_t turn_of(std::int64_t n) { return static_cast<std::int64_t>(turned_b
 // Periodic trees see no neighbours across the grid's sides: a second pair, whose sides lie elsewhere, does. Over few points it
 // costs little.
 ContactSetSolve::ContactSetSolve(Operator& op, std::span<const std::int64_t> set, const rc_grid& grid, double lowest,
-                                 const rc_team& team, const Coefficients& coefficients, const Company& company)
-    : op_(op), team_(team), company_(company), lowest_(lowest) {
-  company.on_all([&] {
+                                 const rc_team& team, const Coefficients& coefficients, const Rows& rows)
+    : op_(op), team_(team), rows_(rows), lowest_(lowest) {
+  rows.on_all([&] {
     set_.assign(set.begin(), set.end());
     TreeInputs inputs = tree_inputs(grid, grid.nx * grid.ny, coefficients);
     if (inputs.table.mean > 0) {
@@ -55,8 +56,8 @@ ContactSetSolve::ContactSetSolve(Operator& op, std::span<const std::int64_t> set
     }
     trees_.push_back(trees_at(inputs, 0, 0));
     pieces_ = {0, set_.size()};
-    if (company.by_rows()) {
-      const Chunks pieces = company.chunks(grid.nx);
+    if (rows.shared()) {
+      const Chunks pieces = Chunks::of(rows.ranks(), grid.nx);
       const std::int64_t points = op.trial().n;
       pieces_ = {0};
       for (std::int64_t k = 1; k <= pieces.count(points); ++k)
@@ -75,7 +76,7 @@ ContactSetSolve::ContactSetSolve(Operator& op, std::span<const std::int64_t> set
 ContactSetSolve::Trees ContactSetSolve::trees_at(const TreeInputs& inputs, std::int64_t x, std::int64_t y) const {
   const bool around = inputs.table.mean > 0;
   const std::int64_t nx = inputs.cells.mx, ny = inputs.cells.my, width = around ? nx : nx + x, height = around ? ny : ny + y;
-  const bool every_cell = company_.by_rows();
+  const bool every_cell = rows_.shared();
   const std::size_t before = every_cell ? static_cast<std::size_t>(nx) : 0;
   std::vector<std::size_t> place;
   for (const std::int64_t position : set_) {
@@ -83,7 +84,7 @@ ContactSetSolve::Trees ContactSetSolve::trees_at(const TreeInputs& inputs, std::
     place.push_back(before + static_cast<std::size_t>((point / nx + y) % height * width + (point % nx + x) % width));
   }
   Cells cells{width, height, {}, {}};
-  const std::size_t all = before + static_cast<std::size_t>(width * company_.own_rows(height));
+  const std::size_t all = before + static_cast<std::size_t>(width * rows_.own(height));
   std::vector<std::uint8_t> active(every_cell || all < sparse * place.size() || all <= small_grid ? all : 0);
   if (!every_cell && active.empty()) {
     std::vector<std::size_t> sorted = place;
@@ -98,7 +99,7 @@ ContactSetSolve::Trees ContactSetSolve::trees_at(const TreeInputs& inputs, std::
   }
   for (const std::size_t at : place) active[at] = 1;
   const std::vector<float> none(active.size());
-  Trees trees{HaarTreePair(std::move(cells), inputs.table, sharp, company_.rows()),
+  Trees trees{HaarTreePair(std::move(cells), inputs.table, sharp, rows_.ranks()),
               std::move(place),
               std::move(active),
               none,
@@ -119,12 +120,11 @@ template <class... Terms> std::array<double, sizeof...(Terms)> ContactSetSolve::
       return result;
     }
   };
-  return company_
-      .total<Part>(pieces_.size() - 1,
-                   [&](std::size_t k) {
-                     const std::size_t begin = pieces_[k], count = pieces_[k + 1] - begin;
-                     return Part{{sum_of(count, [&](std::size_t i) { return terms(begin + i); })...}};
-                   })
+  return total<Part>(rows_.ranks(), pieces_.size() - 1,
+                     [&](std::size_t k) {
+                       const std::size_t begin = pieces_[k], count = pieces_[k + 1] - begin;
+                       return Part{{sum_of(count, [&](std::size_t i) { return terms(begin + i); })...}};
+                     })
       .sum;
 }
 
@@ -169,7 +169,7 @@ template <class Enough>
 ConjugateGradientsEnd ContactSetSolve::descend(std::span<double> x, std::vector<double>& r, std::vector<double>& z, double size,
                                                const bool& single, const Enough& enough) {
   std::vector<double> first, second;
-  company_.on_all([&] {
+  rows_.on_all([&] {
     first.assign(r.size(), 0.0);
     second.resize(r.size());
   });
@@ -190,9 +190,12 @@ ConjugateGradientsEnd ContactSetSolve::descend(std::span<double> x, std::vector<
 }
 
 double ContactSetSolve::largest_of(std::span<const double> x) const {
-  double largest = 0;
-  for (const double value : x) largest = std::max(largest, std::abs(value));
-  return company_.largest(largest);
+  struct Largest {
+    double size = 0;
+    Largest operator+(const Largest& b) const { return {std::max(size, b.size)}; }
+  } largest;
+  for (const double value : x) largest.size = std::max(largest.size, std::abs(value));
+  return rows_.united(largest).size;
 }
 
 // The multiple of x nearest to A^-1 b in the norm of the energy, and its residual.
@@ -205,7 +208,7 @@ rc_status ContactSetSolve::rough_start(std::span<const double> b, std::span<doub
   }
   for (double& value : x) value /= largest;
   std::vector<double> product;
-  company_.on_all([&] { product.resize(x.size()); });
+  rows_.on_all([&] { product.resize(x.size()); });
   const rc_status status = (op_.capabilities() & RC_CAP_FLOAT) != 0 ? multiply<float>(x, product) : multiply<double>(x, product);
   if (status != RC_OK) return status;
   const double along = dot(b, x), curvature = dot(x, product), length = along > 0 && curvature > 0 ? along / curvature : 0;
@@ -221,7 +224,7 @@ rc_status ContactSetSolve::rough_start(std::span<const double> b, std::span<doub
 rc_status ContactSetSolve::form(std::span<const double> b, double tol, double mean, std::span<double> x, ContactSetBound& bound) {
   const double size = std::sqrt(dot(b, b));
   std::vector<double> r, z;
-  company_.on_all([&] {
+  rows_.on_all([&] {
     r.resize(b.size());
     z.resize(b.size());
   });
@@ -259,7 +262,7 @@ rc_status ContactSetSolve::form(std::span<const double> b, double tol, double me
 rc_status ContactSetSolve::solve(std::span<const double> b, double tol, std::span<double> x, ContactSetBound& bound) {
   const double size = std::sqrt(dot(b, b));
   std::vector<double> r, z;
-  company_.on_all([&] {
+  rows_.on_all([&] {
     r.assign(b.begin(), b.end());
     z.resize(b.size());
   });

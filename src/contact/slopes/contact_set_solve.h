@@ -13,7 +13,7 @@
 #include <tuple>
 #include <vector>
 
-#include "core/company.h"
+#include "core/rows.h"
 #include "operator/operator.h"
 #include "trees/tree_inputs.h"
 #include "trees/tree_pair.h"
@@ -38,7 +38,7 @@ class ContactSetSolve {
   // the eigenvalues of H, > 0; where it is periodic, of those of all waves but the mean. By rows the operator has
   // all points of this process. `op` and `team` must outlive it.
   ContactSetSolve(Operator& op, std::span<const std::int64_t> set, const rc_grid& grid, double lowest, const rc_team& team,
-                  const Coefficients& coefficients, const Company& company = {});
+                  const Coefficients& coefficients, const Rows& rows = {});
 
   // 0 unless the grid is periodic: a periodic operator may lack a mean, and hardly resists one where nearly all points touch.
   double mean() const { return mean_; }
@@ -86,7 +86,7 @@ class ContactSetSolve {
 
   Operator& op_;
   const rc_team& team_;
-  const Company company_;
+  const Rows rows_;
   std::vector<std::int64_t> set_;
   std::vector<std::size_t> pieces_;  // where in the set each piece of rows begins, and the last ends; alone: one
   double mean_ = 0, lowest_ = 0;     // lowest_: bound of the eigenvalues of A

@@ -5,8 +5,8 @@
 #include <span>
 
 #include "contact/slopes/subset_solve.h"
-#include "core/company.h"
 #include "core/error.h"
+#include "core/rows.h"
 
 namespace rc {
 
@@ -35,7 +35,7 @@ struct FlatPunch {
 
 // In all processes.
 std::int64_t count(const GridProblem& problem, std::span<const std::int64_t> points) {
-  return problem.surface.points().company().united(static_cast<std::int64_t>(points.size()));
+  return problem.surface.points().rows().united(static_cast<std::int64_t>(points.size()));
 }
 
 enum class Wanted { form, rate, proof };  // to the tolerance: the form alone; or x, of which the form has twice the digits
@@ -45,7 +45,7 @@ FlatPunch pressed(const GridProblem& problem, Operator& op, std::span<const std:
   SubsetSolve solve(problem, op, set);
   FlatPunch punch{RC_OK, std::move(start), {}, solve.mean()};
   std::vector<double> ones;
-  problem.company().on_all([&] {
+  problem.rows().on_all([&] {
     ones.assign(set.size(), 1.0);
     punch.rate.resize(set.size());
   });
@@ -72,7 +72,7 @@ FlatPunch pressed_at(const GridProblem& problem, Operator& op, const std::vector
   TrialSet trial;
   std::vector<double> start;
   std::optional<std::vector<std::int64_t>> positions;
-  problem.company().on_all([&] {
+  problem.rows().on_all([&] {
     trial.n = static_cast<std::int64_t>(points.size());
     trial.index = points;
     Pressures known;
@@ -99,7 +99,7 @@ Stiffness stiffness(const GridProblem& problem, const Answer& answer) {
   const bool interval = problem.options.integer(RC_OPT_STIFFNESS) > 1;  // which may be narrower than the tolerance
   std::vector<std::int64_t> contact;
   std::vector<double> grown;
-  problem.company().on_all([&] {
+  problem.rows().on_all([&] {
     for (std::size_t i = 0; i < answer.p.size(); ++i)
       if (answer.p[i] > 0 && answer.p[i] < answer.units.cap()) contact.push_back(static_cast<std::int64_t>(i));
     // Between points in contact at both approaches the pressures have grown as a flat punch's do.

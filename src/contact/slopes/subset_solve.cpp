@@ -34,7 +34,7 @@ SubsetSolve::SubsetSolve(const GridProblem& problem, Operator& op, std::span<con
   mean_ = op.trial().zero_mode / static_cast<double>(system.points());
   const double lowest = system.periodic() ? system.bounds.lambda_wave : system.bounds.lambda_min;
   if (!system.halfspace() || op.has_subset() || !(lowest > 0)) {
-    if (problem.company().by_rows())
+    if (problem.rows().shared())
       fail(RC_ERR_INCOMPATIBLE, "option ", RC_OPT_STIFFNESS, " = ", problem.options.integer(RC_OPT_STIFFNESS),
            ": by rows it needs a kernel with a lowest eigenvalue, which \"", system.kernel.name, "\" does not promise");
     lowest_ = lowest_eigenvalue(problem, op.trial().zero_mode, set.size());
@@ -46,7 +46,7 @@ SubsetSolve::SubsetSolve(const GridProblem& problem, Operator& op, std::span<con
         out.resize(static_cast<std::size_t>(mx * my));
         raise_if_failed(problem.operators().coefficients(mx, my, out.data()), "the solve on the contact set");
       },
-      problem.company());
+      problem.rows());
   mean_ += preconditioned_->mean();
   lowest_ = preconditioned_->lowest();
 }

@@ -28,8 +28,8 @@ Deflected near_surface(const GridProblem& problem, const Answer& answer, double 
   GatheredTiles* const gathered = problem.surface.gathered();
   const StepSurface& own = gathered ? gathered->shared() : problem.surface;
   const SurfacePoints& points_of = own.points();
-  const Company& company = points_of.company();
-  const std::int64_t n = points_of.count(), before = company.first_row() * points_of.nx();
+  const Rows& rows = points_of.rows();
+  const std::int64_t n = points_of.count(), before = rows.first() * points_of.nx();
   auto product = large_vector<double>(static_cast<std::size_t>(n));
   answer.op->field(answer.p, product);
   Marks marks(n);
@@ -49,7 +49,7 @@ Deflected near_surface(const GridProblem& problem, const Answer& answer, double 
     mark_near(own, {}, product, compression, margin, begin, count, marks);
     return Largest{*std::max_element(largest, largest + lanes), begin, begin + count};
   };
-  const Largest mine = reduce<Largest>(n, points_of.team(), body), whole = company.united(mine);
+  const Largest mine = reduce<Largest>(n, points_of.team(), body), whole = rows.united(mine);
   for (std::int64_t i = mine.begin; i < mine.end && mine.size == whole.size; ++i)
     if (std::abs(product[static_cast<std::size_t>(i)]) == whole.size) marks.add(static_cast<std::size_t>(i));
   const TrialSet& trial = answer.op->trial();
@@ -62,9 +62,9 @@ Deflected near_surface(const GridProblem& problem, const Answer& answer, double 
     products.push_back(product[i]);
   }
   Deflected result;
-  result.pressures.on.index = company.joined(std::move(points));
+  result.pressures.on.index = rows.joined(std::move(points));
   result.pressures.on.n = static_cast<std::int64_t>(result.pressures.on.index.size());
-  result.product = company.joined(std::move(products));
+  result.product = rows.joined(std::move(products));
   if (gathered) gathered->hold_tiles_of(result.pressures.on.index);
   result.pressures.p = answer.pressures().at(result.pressures.on);
   if (result.pressures.on.n == problem.system.points()) result.pressures.on.index.clear();
@@ -73,9 +73,9 @@ Deflected near_surface(const GridProblem& problem, const Answer& answer, double 
 }
 
 // The entries of all processes that screen their own rows.
-template <class Value> void unite(const Company& company, std::vector<Value>& found, std::int64_t count) {
+template <class Value> void unite(const Rows& rows, std::vector<Value>& found, std::int64_t count) {
   found.resize(static_cast<std::size_t>(count));
-  found = company.joined(std::move(found));
+  found = rows.joined(std::move(found));
 }
 
 }  // namespace
@@ -97,10 +97,10 @@ Deflected screened(const GridProblem& problem, const Answer& answer, double comp
   const StepSurface& own = gathered ? gathered->shared() : surface;  // the points that this process checks
   request.undeformed_gap = own.gap().array();
   request.mask = own.mask().data();
-  const Company& company = own.points().company();
+  const Rows& rows = own.points().rows();
   if (gathered) {
-    request.first_row = company.first_row();
-    request.rows = company.own_rows(0);
+    request.first_row = rows.first();
+    request.rows = rows.own(0);
     if (request.rows == 0) {  // this process has none, and checks a row that is far away
       far.assign(static_cast<std::size_t>(surface.points().nx()), std::numeric_limits<double>::infinity());
       request.first_row = 0;
@@ -124,8 +124,8 @@ Deflected screened(const GridProblem& problem, const Answer& answer, double comp
     request.room = request.n_found;
   }
   if (gathered) {
-    unite(company, found, request.n_found);
-    unite(company, depth, request.n_found);
+    unite(rows, found, request.n_found);
+    unite(rows, depth, request.n_found);
     request.n_found = static_cast<std::int64_t>(found.size());
     gathered->hold_tiles_of(trial.index);
     gathered->hold_tiles_of(found);

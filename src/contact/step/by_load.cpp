@@ -26,8 +26,9 @@ constexpr double near_load = 1.1;     // ratio of two loads up to which that is 
 constexpr double spare = 1.02;        // the hardness on all points of the trial set, over the load, at least
 constexpr double farthest_load = 4;   // ratio of two loads above which the one's pressures are no help for the other
 
-// Upper estimate of the compression. Cold: that of independent springs. Warm: the last compression times the ratio of the loads,
-// because the load is a convex function of the approach. No bound: if it is too small, the caller widens the trial set.
+// The compression that the trial set must allow. A cold step takes that of a bed of springs, a warm one also the last compression
+// times the ratio of loads: the load is convex in the approach, as long as no plastic indentation raises the lowest gap. It may
+// be too small; then the caller widens the trial set.
 double approach_estimate(double load, bool warm, const GridProblem& problem, const CertifiedStep& last) {
   const rc_system& s = problem.system.given;
   const double ratio = warm ? std::max(1.0, load / last.load) : infinite;
@@ -100,7 +101,7 @@ Answer at_load(const GridProblem& problem, const Memory& memory, const Step& ste
                std::optional<Estimate> estimate) {
   const System& system = problem.system;
   const StepSurface& surface = problem.surface;
-  const Company& company = problem.company();
+  const Rows& rows = problem.rows();
   const CertifiedStep& last = memory.last;
   const double lowest = surface.lowest(), load = step.target.value / system.cell_area();
   const double ratio = last.load > 0 ? step.target.value / last.load : infinite;
@@ -121,8 +122,7 @@ Answer at_load(const GridProblem& problem, const Memory& memory, const Step& ste
   for (int round = 0;; ++round) {
     double limit = std::max(lowest + height, std::nextafter(lowest, infinite));
     TrialSet set = system.halfspace() ? trial_below(limit, problem) : included_points(surface);
-    while (!company.by_rows() && static_cast<double>(set.n) * system.hardness < spare * load &&
-           set.n < surface.range().included) {
+    while (!rows.shared() && static_cast<double>(set.n) * system.hardness < spare * load && set.n < surface.range().included) {
       height *= 2;
       limit = lowest + height;
       set = trial_below(limit, problem);
@@ -150,7 +150,7 @@ Answer at_load(const GridProblem& problem, const Memory& memory, const Step& ste
       const double shift = zero_mode * wanted / static_cast<double>(system.points());
       answer.status = balance_load(answer, wanted, shift, first, problem, attempt);
     }
-    if (direct && !company.by_rows() && answer.status == RC_STOP_STALLED &&
+    if (direct && !rows.shared() && answer.status == RC_STOP_STALLED &&
         (problem.options.integer(RC_OPT_ALLOW_FALLBACK) != 0 || answer.op->has_subset())) {
       // A solver whose own load control goes in circles may still do approach control.
       handed_over = true;
@@ -160,7 +160,7 @@ Answer at_load(const GridProblem& problem, const Memory& memory, const Step& ste
     const double sum = zero_mode != 0 ? std::accumulate(answer.p.begin(), answer.p.end(), 0.0) : 0;
     answer.datum_shift = per_load * sum * height;
     answer.compression = (answer.compression + per_load * (wanted - sum)) * height;
-    const bool covered = company.by_rows() || trial.set().n == surface.range().included || answer.compression <= answer.limit;
+    const bool covered = rows.shared() || trial.set().n == surface.range().included || answer.compression <= answer.limit;
     const bool finite = std::isfinite(answer.compression);  // else the certificate reports it
     if (covered || !finite || answer.status != RC_OK || round == most_widenings) return std::move(answer);
     height = growth * answer.compression;

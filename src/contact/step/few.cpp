@@ -69,7 +69,7 @@ bool at_few(const Pressures& contact, const GridProblem& problem) {
 }
 
 std::optional<Choice> choose_few(const GridProblem& problem, const Step& step) {
-  if (problem.company().by_rows() || step.p0.data) return std::nullopt;
+  if (problem.rows().shared() || step.p0.data) return std::nullopt;
   const std::optional<Choice> choice =
       choose_for_few(problem.options, problem.system, step.target.control, problem.operators().multiply_by_rows());
   const bool controls = choice && (choice->solver->controls & static_cast<std::uint32_t>(step.target.control)) != 0;

@@ -154,13 +154,13 @@ rc_status inner_solve(const BoundProblem& outer, const char* name, std::span<con
   if (problem.trial.n < outer.n || !outer.trial.index.empty())
     for (const std::int64_t i : a) problem.trial.index.push_back(outer.trial.point(i));
   std::vector<double> u, start;
-  const auto compenetration = [&](std::int64_t i) {
+  const auto penetration = [&](std::int64_t i) {
     return outer.u ? outer.u[i]
                    : (outer.where.approach - run.problem.surface.gap_at(static_cast<std::size_t>(outer.trial.point(i)))) /
                          outer.length;
   };
   for (const std::int64_t i : a) {
-    u.push_back(compenetration(i));
+    u.push_back(penetration(i));
     start.push_back(p[i]);
   }
   problem.n = problem.trial.n;
@@ -203,9 +203,9 @@ void connect(BoundProblem& problem) {
   const std::uint64_t caps = run.op.capabilities();
   problem.struct_size = sizeof(rc_problem);
   problem.apply = apply;
-  const Company& company = run.problem.company();
-  const bool all_here = !company.by_rows();
-  problem.rows = company.shown_in(problem.shared);
+  const Ranks* const ranks = run.problem.rows().ranks();
+  const bool all_here = !ranks;
+  if (ranks) problem.rows = &(problem.shared = SharedRows(*ranks));
   problem.subset = all_here && (run.fallbacks || (caps & RC_CAP_SUBSET)) ? subset : nullptr;
   problem.poll = poll;
   problem.lambda_min = run.problem.system.bounds.lambda_min;
@@ -295,7 +295,7 @@ rc_status SolverRun::operator()(std::int32_t control, std::span<const double> u,
     warmed_up_ = true;
     if (const rc_status status = warm_up(posed, p.data(), &d); status != RC_OK) return status;
   }
-  if (history_ && problem.goal.keeps_answers && grid.nx > 0 && !problem.company().by_rows()) {
+  if (history_ && problem.goal.keeps_answers && grid.nx > 0 && !problem.rows().shared()) {
     const bool as_given = !warms_up(*choice.solver, problem.options);
     posed.steps = {{.struct_size = sizeof(rc_kept_steps),
                     .last = as_given ? history_->last.of(*choice.solver) : nullptr,

@@ -11,7 +11,7 @@
 
 namespace rc {
 
-// Whether this solver reads the gap and no other one warms up, so that the run needs no compenetrations.
+// Whether this solver reads the gap and no other one warms up, so that the run needs no penetrations.
 bool takes_gap(const rc_solver& solver, const rc_options& options);
 
 struct BoundProblem;

@@ -26,32 +26,32 @@ bool all_can(const GridProblem& problem, const Step& step) {
     std::snprintf(mine.solver, sizeof mine.solver, "%s", choice->solver->name);
     std::snprintf(mine.backend, sizeof mine.backend, "%s", choice->backend->name);
   }
-  const std::vector<Names> all = problem.company().of_each(mine);
+  const std::vector<Names> all = problem.rows().ranks()->of_each(mine);
   return all.front().solver[0] != 0 && std::all_of(all.begin(), all.end(), [&](const Names& each) {
            return std::string(each.solver) == all.front().solver && std::string(each.backend) == all.front().backend;
          });
 }
 
 std::int64_t contacts_of(const CertifiedStep& last, const GridProblem& problem) {
-  return problem.surface.points().company().united(last.pressures.contacts());
+  return problem.surface.points().rows().united(last.pressures.contacts());
 }
 
 // The last step of all processes, whose pressures are few.
 CertifiedStep gathered(const CertifiedStep& last, const GridProblem& problem) {
-  const std::int64_t before = problem.surface.points().company().first_row() * problem.system.given.nx;
+  const std::int64_t before = problem.surface.points().rows().first() * problem.system.given.nx;
   const Pressures positive = last.pressures.positive(problem.team());
   std::vector<std::int64_t> mine(positive.p.size());
   for (std::size_t k = 0; k < mine.size(); ++k) mine[k] = positive.on.point(static_cast<std::int64_t>(k)) + before;
   CertifiedStep all{{}, last.approach, last.load, last.same_gap};
-  all.pressures.on.index = problem.company().joined(std::move(mine));
-  all.pressures.p = problem.company().joined(positive.p);
+  all.pressures.on.index = problem.rows().joined(std::move(mine));
+  all.pressures.p = problem.rows().joined(positive.p);
   all.pressures.on.n = static_cast<std::int64_t>(all.pressures.p.size());
   return all;
 }
 
 // Calls take for the entries of this process, given the points of the whole grid in ascending order.
 template <class Take> void each_own(const GridProblem& problem, std::size_t n, const auto& point, const Take& take) {
-  const std::int64_t before = problem.surface.points().company().first_row() * problem.system.given.nx,
+  const std::int64_t before = problem.surface.points().rows().first() * problem.system.given.nx,
                      end = before + problem.own_points();
   for (std::size_t k = 0; k < n; ++k)
     if (point(k) >= before && point(k) < end) take(point(k) - before, k);
@@ -60,7 +60,7 @@ template <class Take> void each_own(const GridProblem& problem, std::size_t n, c
 // The deformed gap at all points of the rows, by one product that all make together; returns its mean.
 double write_gap(const GridProblem& problem, const Finished& mine, const Attempt& attempt, const Outputs& outputs) {
   std::vector<double> p;
-  problem.company().on_all([&] {
+  problem.rows().on_all([&] {
     p.resize(static_cast<std::size_t>(problem.own_points()));
     mine.pressures.write(p.data(), problem.own_points(), problem.team());
   });
@@ -75,8 +75,8 @@ double write_gap(const GridProblem& problem, const Finished& mine, const Attempt
 
 std::optional<Finished> sparse_by_rows(const GridProblem& problem, const Memory& memory, const Step& step, const Attempt& attempt,
                                        const Outputs& outputs) {
-  const Company& company = problem.company();
-  if (!company.by_rows() || step.p0.data || !all_can(problem, step)) return std::nullopt;
+  const Rows& rows = problem.rows();
+  if (!rows.shared() || step.p0.data || !all_can(problem, step)) return std::nullopt;
   const rc_system& system = problem.system.given;
   const std::int64_t contacts = step.warm ? contacts_of(memory.last, problem) : 0;
   const double before = step.target.by_load() ? memory.last.load : memory.last.approach;
@@ -88,8 +88,8 @@ std::optional<Finished> sparse_by_rows(const GridProblem& problem, const Memory&
 
   std::optional<Finished> finished;
   std::unique_ptr<GridProblem> all;
-  company.together([&] {
-    all = std::make_unique<GridProblem>(system, problem.options, &problem.team(), company.made_alike());
+  rows.ranks()->together([&] {
+    all = std::make_unique<GridProblem>(system, problem.options, &problem.team(), problem.company().made_alike());
     all->facts.tilt = tilt;
     if (problem.system.periodic()) all->operators().multiply_by(problem.operators());
     all->surface = StepSurface(problem.surface, problem.team());
@@ -103,7 +103,7 @@ std::optional<Finished> sparse_by_rows(const GridProblem& problem, const Memory&
   if (!finished || finished->numbers.status == RC_STOP_STALLED || finished->numbers.status == RC_UNCERTIFIED) return std::nullopt;
 
   Finished mine{.numbers = finished->numbers, .by = finished->by};
-  company.on_all([&] {
+  rows.on_all([&] {
     const Pressures& p = finished->pressures;
     each_own(
         problem, p.p.size(), [&](std::size_t k) { return p.on.point(static_cast<std::int64_t>(k)); },

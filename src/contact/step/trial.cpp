@@ -14,7 +14,7 @@ namespace {
 // The whole bounding box, if the solver wants it, products on it cost the same and it is at most twice as large.
 TrialSet widened(TrialSet trial, const Choice& choice, const GridProblem& problem) {
   constexpr std::uint64_t by_points = RC_CAP_SUBSET | RC_CAP_SCREEN;  // backends whose products cost more with every point
-  if (problem.company().by_rows() || !(choice.solver->needs & RC_WANTS_BOX) || (choice.backend->caps & by_points) ||
+  if (problem.rows().shared() || !(choice.solver->needs & RC_WANTS_BOX) || (choice.backend->caps & by_points) ||
       !problem.surface.range().whole)
     return trial;
   const rc_system& system = problem.system.given;
@@ -23,7 +23,7 @@ TrialSet widened(TrialSet trial, const Choice& choice, const GridProblem& proble
 }
 
 // The dimensionless u = (datum - gap) / unit; empty if the solver reads the gap itself.
-std::vector<double> compenetrations(const Answer& answer, double datum, const GridProblem& problem) {
+std::vector<double> penetrations(const Answer& answer, double datum, const GridProblem& problem) {
   GatheredTiles* const gathered = problem.surface.gathered();
   if (!gathered && problem.system.halfspace() && takes_gap(*answer.choice.solver, problem.options)) return {};
   const TrialSet& trial = answer.op->trial();
@@ -38,7 +38,7 @@ std::vector<double> compenetrations(const Answer& answer, double datum, const Gr
 }  // namespace
 
 TrialSet trial_below(double limit, const GridProblem& problem) {
-  if (problem.company().by_rows()) return {problem.own_points(), {}};
+  if (problem.rows().shared()) return {problem.own_points(), {}};
   return problem.system.positive ? points_below(limit, problem.surface) : included_points(problem.surface);
 }
 
@@ -56,7 +56,7 @@ void Trial::bind(double zero_mode) {
 }
 
 void Trial::start(const Memory& memory, const Step& from, const Pressures* nearer) {
-  problem_.company().on_all(
+  problem_.rows().on_all(
       [&] { answer.p = memory.start(from, set_, answer.units.pressure, answer.units.cap(), nearer, problem_.team()); });
 }
 
@@ -67,7 +67,7 @@ void Trial::continue_from(const Memory& memory, const Step& from, bool of_earlie
 }
 
 void Trial::solve(double load, double tol, double datum, double& d) {
-  const std::vector<double> u = compenetrations(answer, datum, problem_);
+  const std::vector<double> u = penetrations(answer, datum, problem_);
   SolverRun run(problem_, answer, attempt_, step_.look, follows_ ? &answer.history : nullptr);
   answer.status = run(step_.target.control, u, load, tol, datum, answer.p, d);
 }

@@ -43,9 +43,9 @@ struct Histogram {
     }
   }
   // Adds the histograms of all processes.
-  void unite(const Company& company) {
+  void unite(const Rows& rows) {
     for (std::vector<double>* const values : {&count, &sum}) {
-      const std::vector<double> all = company.joined(*values);
+      const std::vector<double> all = rows.joined(*values);
       std::fill(values->begin(), values->end(), 0.0);
       for (std::size_t i = 0; i < all.size(); ++i) (*values)[i % bins] += all[i];
     }
@@ -63,17 +63,17 @@ struct Histogram {
 
 double bearing_height(double target, const StepSurface& surface) {
   const SurfacePoints& points = surface.points();
-  const Company& company = points.company();
+  const Rows& rows = points.rows();
   const double all = full_bed_height(target, static_cast<double>(surface.range().included), surface.moments().mean);
   double range = surface.range().width();
-  const bool exact_sums = company.by_rows();  // whole numbers: the bits do not depend on whose rows the points are in
+  const bool exact_sums = rows.shared();  // whole numbers: the bits do not depend on whose rows the points are in
   if (all >= range) return all;
   // Narrows the range until the bins resolve the answer.
   for (int round = 0;; ++round) {
     std::vector<Histogram> parts(points.threaded() ? histograms : 1, Histogram(exact_sums ? fine : range));
-    const auto count = static_cast<std::int64_t>(parts.size()), rows = surface.tiles().rows();
+    const auto count = static_cast<std::int64_t>(parts.size()), tile_rows = surface.tiles().rows();
     roughcontact::for_each(points.team(), count, count > 1, [&](std::int64_t part, std::int64_t) {
-      for (std::int64_t row = part * rows / count; row < (part + 1) * rows / count; ++row)
+      for (std::int64_t row = part * tile_rows / count; row < (part + 1) * tile_rows / count; ++row)
         visit_below(surface.range().limit_of(range), surface, row, [&](std::int64_t point, std::int64_t, std::int64_t) {
           const double exact = surface.height(static_cast<std::size_t>(point));
           parts[static_cast<std::size_t>(part)].add(exact_sums ? std::floor(exact / range * fine) : exact);
@@ -81,7 +81,7 @@ double bearing_height(double target, const StepSurface& surface) {
     });
     for (std::size_t part = 1; part < parts.size(); ++part) parts.front().add(parts[part]);
     if (exact_sums) {
-      parts.front().unite(company);
+      parts.front().unite(rows);
       parts.front().scale(range);
     }
     const double height = parts.front().reach(target);

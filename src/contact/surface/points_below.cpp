@@ -51,26 +51,26 @@ std::vector<Extent> extents_below(double limit, const StepSurface& surface) {
 
 Extent extent_below(double limit, const StepSurface& surface) {
   if (const GatheredTiles* const gathered = surface.gathered()) return extent_below(limit, gathered->shared());
-  const Company& company = surface.points().company();
+  const Rows& rows = surface.points().rows();
   Extent extent;
   for (const Extent& row : extents_below(limit, surface)) extent = extent + row;
   if (extent.n > 0) {
-    extent.low += company.first_row();
-    extent.high += company.first_row();
+    extent.low += rows.first();
+    extent.high += rows.first();
   }
-  return company.united(extent);
+  return rows.united(extent);
 }
 
 TrialSet points_below(double limit, const StepSurface& surface) {
   TrialSet trial;
   if (GatheredTiles* const gathered = surface.gathered()) {
     const StepSurface& shared = gathered->shared();
-    const Company& company = shared.points().company();
+    const Rows& rows = shared.points().rows();
     const TrialSet own = points_below(limit, shared);
     std::vector<std::int64_t> mine(static_cast<std::size_t>(own.n));
     for (std::int64_t i = 0; i < own.n; ++i)
-      mine[static_cast<std::size_t>(i)] = own.point(i) + company.first_row() * shared.points().nx();
-    trial.index = company.joined(std::move(mine));
+      mine[static_cast<std::size_t>(i)] = own.point(i) + rows.first() * shared.points().nx();
+    trial.index = rows.joined(std::move(mine));
     trial.n = static_cast<std::int64_t>(trial.index.size());
     gathered->hold_tiles_of(trial.index);
     return trial;

@@ -60,24 +60,24 @@ template <class Real> bool add_finite(Summary& summary, const Real* gap, std::in
 
 }  // namespace
 
-StepSurface::StepSurface(const GivenSurface& given, const rc_team& team, const Company& company)
-    : points_(given.nx, given.nx * given.ny, team, company), tiles_{given.nx, given.ny} {
+StepSurface::StepSurface(const GivenSurface& given, const rc_team& team, const Rows& rows)
+    : points_(given.nx, given.nx * given.ny, team, rows), tiles_{given.nx, given.ny} {
   constexpr std::int64_t tile = TileLows::side;
-  const std::int64_t nx = given.nx, columns = tiles_.columns(), rows = tiles_.rows();
+  const std::int64_t nx = given.nx, columns = tiles_.columns(), tile_rows = tiles_.rows();
   std::vector<Summary> summaries;
   const auto own = [&]<class Real>(std::unique_ptr<Real[]>& values) {
     values = std::make_unique_for_overwrite<Real[]>(given.gap.size());
     prefer_large(values.get(), given.gap.size() * sizeof(Real));
     return GapValues(std::span<const Real>(values.get(), given.gap.size()));
   };
-  company.on_all([&] {
-    tiles_.lowest.assign(static_cast<std::size_t>(columns * rows), infinite);
-    summaries.resize(static_cast<std::size_t>(rows));
+  rows.on_all([&] {
+    tiles_.lowest.assign(static_cast<std::size_t>(columns * tile_rows), infinite);
+    summaries.resize(static_cast<std::size_t>(tile_rows));
     if (!given.borrowed) own_mask_.assign(given.mask.begin(), given.mask.end());
     gap_ = given.borrowed ? given.gap : given.gap.in_single() ? own(own_single_gap_) : own(own_gap_);
     if (!given.mask.empty()) mask_ = given.borrowed ? given.mask : own_mask_;
   });
-  roughcontact::for_each(team, rows, points_.threaded(), [&](std::int64_t row, std::int64_t) {
+  roughcontact::for_each(team, tile_rows, points_.threaded(), [&](std::int64_t row, std::int64_t) {
     Summary& summary = summaries[static_cast<std::size_t>(row)];
     for (std::int64_t y = row * tile; y < std::min((row + 1) * tile, given.ny); ++y) {
       if (own_gap_) std::copy_n(given.gap.in_double() + y * nx, nx, own_gap_.get() + y * nx);
@@ -97,17 +97,17 @@ StepSurface::StepSurface(const GivenSurface& given, const rc_team& team, const C
   });
   Summary whole;
   for (const Summary& each : summaries) whole = whole + each;
-  if (whole.bad > 0) whole.first_bad += company.first_row() * nx;
-  whole = company.united(whole);
+  if (whole.bad > 0) whole.first_bad += rows.first() * nx;
+  whole = rows.united(whole);
   if (whole.bad > 0)
     fail(RC_ERR_ARGUMENT, "gap has ", whole.bad, " value(s) that are not finite, first at ", place(whole.first_bad, nx), " (",
          whole.bad_value, "); exclude them with rc_step.mask");
-  range_ = {whole.included, whole.included == nx * company.all_rows(given.ny), whole.lowest, whole.highest};
-  if (given.side > 0 && company.by_rows()) company.on_all([&] { fill_masked(given.side); });
+  range_ = {whole.included, whole.included == nx * rows.all(given.ny), whole.lowest, whole.highest};
+  if (given.side > 0 && rows.shared()) rows.on_all([&] { fill_masked(given.side); });
 }
 
 StepSurface::StepSurface(const StepSurface& shared, const rc_team& team)
-    : tiles_{shared.tiles_.nx, shared.points_.company().all_rows(shared.tiles_.ny)},
+    : tiles_{shared.tiles_.nx, shared.points_.rows().all(shared.tiles_.ny)},
       gathered_(std::make_unique<GatheredTiles>(shared)),
       range_(shared.range_) {
   points_ = SurfacePoints(tiles_.nx, tiles_.nx * tiles_.ny, team);

@@ -12,7 +12,7 @@
 #include "contact/surface/height_moments.h"
 #include "contact/surface/surface_points.h"
 #include "contact/surface/tile_lows.h"
-#include "core/company.h"
+#include "core/rows.h"
 #include "grid/gap_values.h"
 #include "operator/operator.h"
 
@@ -44,7 +44,7 @@ class StepSurface {
   StepSurface() = default;
   // Throws Error(ARGUMENT) on values that are not finite outside the mask. The team must outlive it. By rows, points are
   // those of this process, the range is that of the whole surface, and all processes call the same functions.
-  StepSurface(const GivenSurface& given, const rc_team& team, const Company& company = {});
+  StepSurface(const GivenSurface& given, const rc_team& team, const Rows& rows = {});
   // All of a surface that processes share: each has the tiles of it that all have asked for, and can give the gap there alone.
   // They call its functions together. shared must outlive it.
   StepSurface(const StepSurface& shared, const rc_team& team);

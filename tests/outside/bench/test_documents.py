@@ -138,7 +138,7 @@ def pareto(folder):
     for name, text in filled.items():
         assert text.strip() and 'nan' not in text and 'None' not in text, (name, text)
     assert filled['tolerances'].count('²') == 2 and filled['picks'].count('\n- ') >= 5, filled
-    check_pictures(folder, 'speed-accuracy', 'pareto-generated', 'pareto-contacts', 'pareto-grids', 'pareto-kernels')
+    check_pictures(folder, 'speed-accuracy', 'speed-accuracy-grids')
     assert counts(run('documents', 'speed-accuracy', '--quick', '--threads', '1'))[:2] == [0, 0]
 
 
