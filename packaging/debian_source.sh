@@ -11,6 +11,7 @@ version=$(sed -n '1s/^roughcontact (\(.*\)-1).*/\1/p' "$source/packaging/debian/
 clean_system ca-certificates
 mount -t proc proc "$root/proc"
 cp /etc/resolv.conf "$root/etc/resolv.conf"
+chmod 755 "$root" # the user who builds has to reach it
 quietly inside apt-get update -qq
 quietly inside apt-get install -y -qq --no-install-recommends build-essential devscripts equivs lintian
 
