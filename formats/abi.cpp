@@ -10,10 +10,14 @@
 
 #include "abi/own_guard.h"
 #include "abi/sized_struct.h"
+#include "formats/despike.h"
 #include "formats/error.h"
 #include "formats/form.h"
 #include "formats/missing.h"
+#include "formats/readers.h"
+#include "formats/rearrange.h"
 #include "formats/registry.h"
+#include "formats/resample.h"
 #include "formats/surface.h"
 #include "formats/units.h"
 #include "formats/wording.h"
@@ -91,10 +95,14 @@ template <class Read> void read_into(const rc_surface_read_spec* given, rc_surfa
   write(out, file);
 }
 
-// The caller's heights as a Surface.
-Surface surface_of(std::int64_t nx, std::int64_t ny, const double* heights) {
+void check_points(std::int64_t nx, std::int64_t ny) {
   constexpr std::int64_t most = std::int64_t{1} << 40;
   if (nx < 1 || ny < 1 || nx > most / ny) fail(RC_ERR_SHAPE, "nx = ", nx, ", ny = ", ny, ": 1 x 1 to 2^40 points are needed");
+}
+
+// The caller's heights as a Surface.
+Surface surface_of(std::int64_t nx, std::int64_t ny, const double* heights) {
+  check_points(nx, ny);
   if (!heights) fail(RC_ERR_ARGUMENT, "heights is null");
   Surface surface;
   surface.nx = nx;
@@ -105,6 +113,34 @@ Surface surface_of(std::int64_t nx, std::int64_t ny, const double* heights) {
     fail(RC_ERR_ARGUMENT, "heights has an infinite value at ix=", (infinite - surface.heights.begin()) % nx,
          ", iy=", (infinite - surface.heights.begin()) / nx, "; a missing point is NaN");
   return surface;
+}
+
+// What a resampling asks for, checked; the map's heights stay the caller's until here.
+std::vector<double> resampled(const rc_surface_resampling& asked) {
+  Surface map = surface_of(asked.nx, asked.ny, asked.heights);
+  check_pitch(asked.hx, asked.hy);
+  check_pitch(asked.to_hx, asked.to_hy);
+  check_points(asked.to_nx, asked.to_ny);
+  check_switch(asked.periodic, "periodic");
+  if (asked.interpolation != RC_SURFACE_LINEAR && asked.interpolation != RC_SURFACE_CUBIC)
+    fail(RC_ERR_ARGUMENT, "interpolation = ", asked.interpolation, " must be RC_SURFACE_LINEAR (1) or RC_SURFACE_CUBIC (2)");
+  if (!std::isfinite(asked.x0) || !std::isfinite(asked.y0))
+    fail(RC_ERR_ARGUMENT, "x0 = ", asked.x0, ", y0 = ", asked.y0, " must be finite");
+  constexpr double coarsest = 1.5 * (1 + 1e-9);
+  if (asked.to_hx > coarsest * asked.hx || asked.to_hy > coarsest * asked.hy)
+    fail(RC_ERR_ARGUMENT, "the pitch ", asked.to_hx, ", ", asked.to_hy, " is more than 1.5 times the map's, ", asked.hx, ", ",
+         asked.hy, ": interpolation would skip summits; resample the coarser map on this grid");
+  const auto method = asked.interpolation == RC_SURFACE_LINEAR ? Interpolation::linear : Interpolation::cubic;
+  return heights_at(map, asked.periodic == 1, method, {asked.to_nx, asked.x0 / asked.hx, asked.to_hx / asked.hx},
+                    {asked.to_ny, asked.y0 / asked.hy, asked.to_hy / asked.hy});
+}
+
+std::int64_t count_nan(const std::vector<double>& heights) {
+  return std::ranges::count_if(heights, [](double z) { return std::isnan(z); });
+}
+
+template <class Number> void put(Number* to, Number value) {
+  if (to) *to = value;
 }
 
 }  // namespace
@@ -190,5 +226,74 @@ rc_status rc_surface_fill(int64_t nx, int64_t ny, double hx, double hy, double* 
     if (missing == nx * ny) fail(RC_ERR_ARGUMENT, "all ", missing, " points are missing");
     fill_missing(surface);
     std::ranges::copy(surface.heights, heights);
+  });
+}
+
+rc_status rc_surface_despike(int64_t nx, int64_t ny, double factor, double* heights, int64_t* spikes, double* largest) {
+  return rc::formats::guard("rc_surface_despike", [&] {
+    if (!(factor > 0) || !std::isfinite(factor)) fail(RC_ERR_ARGUMENT, "factor = ", factor, " must be positive and finite");
+    Surface surface = surface_of(nx, ny, heights);
+    const Spikes found = remove_spikes(factor, surface);
+    std::ranges::copy(surface.heights, heights);
+    put(spikes, found.count);
+    put(largest, found.largest);
+  });
+}
+
+rc_status rc_surface_crop(int64_t* nx, int64_t* ny, double hx, double hy, double x0, double x1, double y0, double y1,
+                          double* heights) {
+  return rc::formats::guard("rc_surface_crop", [&] {
+    if (!nx || !ny) fail(RC_ERR_ARGUMENT, nx ? "ny is null" : "nx is null");
+    check_pitch(hx, hy);
+    for (const double limit : {x0, x1, y0, y1})
+      if (std::isnan(limit)) fail(RC_ERR_ARGUMENT, "the region ", x0, " .. ", x1, ", ", y0, " .. ", y1, " is not a number");
+    Surface surface = surface_of(*nx, *ny, heights);
+    surface.hx = hx;
+    surface.hy = hy;
+    crop({x0, x1, y0, y1}, surface);
+    std::ranges::copy(surface.heights, heights);
+    *nx = surface.nx;
+    *ny = surface.ny;
+  });
+}
+
+rc_status rc_surface_mirror(int64_t nx, int64_t ny, int32_t axes, double* heights) {
+  return rc::formats::guard("rc_surface_mirror", [&] {
+    if (axes < RC_SURFACE_MIRROR_X || axes > (RC_SURFACE_MIRROR_X | RC_SURFACE_MIRROR_Y))
+      fail(RC_ERR_ARGUMENT, "axes = ", axes, " must be RC_SURFACE_MIRROR_X (1), RC_SURFACE_MIRROR_Y (2) or their sum");
+    Surface surface = surface_of(nx, ny, heights);
+    mirror((axes & RC_SURFACE_MIRROR_X) != 0, (axes & RC_SURFACE_MIRROR_Y) != 0, surface);
+    std::ranges::copy(surface.heights, heights);
+  });
+}
+
+rc_status rc_surface_resample(rc_surface_resampling* resampling) {
+  return rc::formats::guard("rc_surface_resample", [&] {
+    rc_surface_resampling asked = read<rc_surface_resampling>(resampling, "rc_surface_resampling", RC_SURFACE_RESAMPLING_INIT);
+    if (!asked.to) fail(RC_ERR_ARGUMENT, "to is null");
+    const std::vector<double> heights = resampled(asked);
+    std::ranges::copy(heights, asked.to);
+    asked.missing = count_nan(heights);
+    write(resampling, asked);
+  });
+}
+
+rc_status rc_surface_shift(int64_t nx, int64_t ny, double hx, double hy, double dx, double dy, int32_t periodic,
+                           int32_t interpolation, double* heights, int64_t* missing) {
+  return rc::formats::guard("rc_surface_shift", [&] {
+    if (!std::isfinite(dx) || !std::isfinite(dy)) fail(RC_ERR_ARGUMENT, "dx = ", dx, ", dy = ", dy, " must be finite");
+    rc_surface_resampling asked = RC_SURFACE_RESAMPLING_INIT;
+    asked.nx = asked.to_nx = nx;
+    asked.ny = asked.to_ny = ny;
+    asked.hx = asked.to_hx = hx;
+    asked.hy = asked.to_hy = hy;
+    asked.x0 = -dx;
+    asked.y0 = -dy;
+    asked.periodic = periodic;
+    asked.interpolation = interpolation;
+    asked.heights = heights;
+    const std::vector<double> moved = resampled(asked);
+    std::ranges::copy(moved, heights);
+    put(missing, count_nan(moved));
   });
 }

@@ -6,6 +6,8 @@ module roughcontact_formats_interface
   implicit none
 
   integer(c_int32_t), parameter :: RC_SURFACE_FORM_MEAN = 1, RC_SURFACE_FORM_PLANE = 2, RC_SURFACE_FORM_QUADRIC = 3
+  integer(c_int32_t), parameter :: RC_SURFACE_MIRROR_X = 1, RC_SURFACE_MIRROR_Y = 2
+  integer(c_int32_t), parameter :: RC_SURFACE_LINEAR = 1, RC_SURFACE_CUBIC = 2
 
   type, bind(c) :: rc_surface_read_spec
     integer(c_size_t) :: struct_size = merge(40, 28, c_intptr_t == 8)
@@ -28,6 +30,18 @@ module roughcontact_formats_interface
     integer(c_size_t) :: struct_size = merge(48, 28, c_intptr_t == 8)
     type(c_ptr) :: name = c_null_ptr, summary = c_null_ptr, suffixes = c_null_ptr, says = c_null_ptr  ! const char *
     integer(c_int32_t) :: by_contents = 0, reserved = 0
+  end type
+
+  type, bind(c) :: rc_surface_resampling
+    integer(c_size_t) :: struct_size = merge(120, 108, c_intptr_t == 8)
+    integer(c_int64_t) :: nx = 0, ny = 0
+    real(c_double) :: hx = 0, hy = 0
+    type(c_ptr) :: heights = c_null_ptr  ! const double *
+    integer(c_int32_t) :: periodic = 0, interpolation = RC_SURFACE_CUBIC
+    integer(c_int64_t) :: to_nx = 0, to_ny = 0
+    real(c_double) :: to_hx = 0, to_hy = 0, x0 = 0, y0 = 0
+    type(c_ptr) :: to = c_null_ptr  ! double *
+    integer(c_int64_t) :: missing = 0
   end type
 
   interface
@@ -67,6 +81,32 @@ module roughcontact_formats_interface
       integer(c_int64_t), value :: nx, ny
       real(c_double), value :: hx, hy
       real(c_double), intent(inout) :: heights(*)
+    end function
+    integer(rc_status) function rc_surface_despike(nx, ny, factor, heights, spikes, largest) bind(c); import
+      integer(c_int64_t), value :: nx, ny
+      real(c_double), value :: factor
+      real(c_double), intent(inout) :: heights(*), largest(*)
+      integer(c_int64_t), intent(inout) :: spikes(*)
+    end function
+    integer(rc_status) function rc_surface_crop(nx, ny, hx, hy, x0, x1, y0, y1, heights) bind(c); import
+      integer(c_int64_t), intent(inout) :: nx(*), ny(*)
+      real(c_double), value :: hx, hy, x0, x1, y0, y1
+      real(c_double), intent(inout) :: heights(*)
+    end function
+    integer(rc_status) function rc_surface_mirror(nx, ny, axes, heights) bind(c); import
+      integer(c_int64_t), value :: nx, ny
+      integer(c_int32_t), value :: axes
+      real(c_double), intent(inout) :: heights(*)
+    end function
+    integer(rc_status) function rc_surface_resample(resampling) bind(c); import
+      type(rc_surface_resampling), intent(inout) :: resampling
+    end function
+    integer(rc_status) function rc_surface_shift(nx, ny, hx, hy, dx, dy, periodic, interpolation, heights, missing) bind(c); import
+      integer(c_int64_t), value :: nx, ny
+      real(c_double), value :: hx, hy, dx, dy
+      integer(c_int32_t), value :: periodic, interpolation
+      real(c_double), intent(inout) :: heights(*)
+      integer(c_int64_t), intent(inout) :: missing(*)
     end function
   end interface
 end module

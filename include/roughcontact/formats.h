@@ -101,6 +101,52 @@ RC_API rc_status rc_surface_remove_form(int64_t nx, int64_t ny, int32_t form, do
  *  filled heights lie between those around the hole. What was in the hole is unknown, so contact there is a guess.
  *  Errors: ARGUMENT (also where all are NaN, or more than 2^23), SHAPE, MEMORY. */
 RC_API rc_status rc_surface_fill(int64_t nx, int64_t ny, double hx, double hy, double *heights);
+
+/** Gives every spike of heights [nx*ny] the value NaN. r is the height less the median of the heights, not NaN, of the 5 x 5
+ *  points around; edges are reflected (... 1 0 | 0 1 2 ...). A spike has |r| > factor * (median of all |r|), factor > 0; if that
+ *  median is 0 there is none. *spikes: how many; *largest: the largest |r| of them, 0 without; either may be NULL.
+ *  Errors: ARGUMENT, SHAPE, MEMORY. */
+RC_API rc_status rc_surface_despike(int64_t nx, int64_t ny, double factor, double *heights, int64_t *spikes, double *largest);
+
+/** Keeps the points of heights [*nx * *ny] whose cells have their middles in x0 .. x1 and y0 .. y1, which count from the outer edge
+ *  of the first cell [unit of hx, hy]: writes them to the beginning of heights, and their numbers to *nx and *ny. The map no
+ *  longer repeats. Errors: ARGUMENT (also a region without any middle), SHAPE, MEMORY. */
+RC_API rc_status rc_surface_crop(int64_t *nx, int64_t *ny, double hx, double hy, double x0, double x1, double y0, double y1,
+                                 double *heights);
+
+enum { RC_SURFACE_MIRROR_X = 1, RC_SURFACE_MIRROR_Y = 2 };
+
+/** Reverses the order of heights [nx*ny] along x, y, or both (the sum), as a body that is turned over shows them; no height
+ *  changes. Errors: ARGUMENT, SHAPE, MEMORY. */
+RC_API rc_status rc_surface_mirror(int64_t nx, int64_t ny, int32_t axes, double *heights);
+
+enum { RC_SURFACE_LINEAR = 1, RC_SURFACE_CUBIC = 2 };
+
+/** A map and another grid. Begin with RC_SURFACE_RESAMPLING_INIT. */
+typedef struct rc_surface_resampling {
+  size_t struct_size;
+  int64_t nx, ny;        /* of the map                                                                               */
+  double hx, hy;         /* its pitch [length]                                                                       */
+  const double *heights; /* [nx*ny], NaN where missing                                                               */
+  int32_t periodic;      /* 1: the map repeats, and has heights everywhere; 0: not beyond its first and last points  */
+  int32_t interpolation; /* RC_SURFACE_LINEAR, or _CUBIC: convolution with a = -1/2, at edges the parabola's continuation
+                            (Keys 1981, equations 15 and 19); linear along an axis of two points. Exact at the map's points */
+  int64_t to_nx, to_ny;  /* points of the other grid                                                                 */
+  double to_hx, to_hy;   /* its pitch [length], at most 1.5 times the map's: a coarser grid would skip its summits   */
+  double x0, y0;         /* place of its first point, from the map's first [length]                                  */
+  double *to;            /* out [to_nx*to_ny]: NaN outside of the map, and where a missing height takes part; no part of
+                            heights                                                                                  */
+  int64_t missing;       /* out: points that are NaN                                                                 */
+} rc_surface_resampling;
+#define RC_SURFACE_RESAMPLING_INIT RC_BEGIN_WITH(rc_surface_resampling, interpolation = RC_SURFACE_CUBIC)
+
+/** Heights at the points of another grid. Errors: ARGUMENT, SHAPE, MEMORY. */
+RC_API rc_status rc_surface_resample(rc_surface_resampling *resampling);
+
+/** Moves a map on its grid: heights(x, y) becomes heights(x - dx, y - dy), by rc_surface_resample. *missing: points that are NaN
+ *  afterwards; may be NULL. Errors: ARGUMENT, SHAPE, MEMORY. */
+RC_API rc_status rc_surface_shift(int64_t nx, int64_t ny, double hx, double hy, double dx, double dy, int32_t periodic,
+                                  int32_t interpolation, double *heights, int64_t *missing);
 /** @} */
 
 #ifdef __cplusplus

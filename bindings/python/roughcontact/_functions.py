@@ -123,6 +123,13 @@ class FormatsFunctions(Protocol):
     rc_surface_format_describe: Callable[[int64_t, rc_surface_format], rc_status]
     rc_surface_remove_form: Callable[[int64_t, int64_t, int32_t, doubles], rc_status]
     rc_surface_fill: Callable[[int64_t, int64_t, double, double, doubles], rc_status]
+    rc_surface_despike: Callable[[int64_t, int64_t, double, doubles, integers, doubles], rc_status]
+    rc_surface_crop: Callable[[integers, integers, double, double, double, double, double, double, doubles], rc_status]
+    rc_surface_mirror: Callable[[int64_t, int64_t, int32_t, doubles], rc_status]
+    rc_surface_resample: Callable[[rc_surface_resampling], rc_status]
+    rc_surface_shift: Callable[
+        [int64_t, int64_t, double, double, double, double, int32_t, int32_t, doubles, integers], rc_status
+    ]
 
 
 class RequestFunctions(Protocol):

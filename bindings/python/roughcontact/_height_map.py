@@ -1,18 +1,32 @@
 """Heights on a grid."""
 
+import ctypes
 from dataclasses import dataclass, replace
-from typing import Any, ClassVar, Optional, Tuple
+from typing import Any, ClassVar, Mapping, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _constants
-from ._arrays import Doubles, Mask, as_doubles, as_mask, as_pitch, columns_and_rows, pointer, refuse_one_row, without_masked
+from ._arrays import (
+    Doubles,
+    Mask,
+    Pitch,
+    as_doubles,
+    as_mask,
+    as_pitch,
+    columns_and_rows,
+    given,
+    pointer,
+    refuse_one_row,
+    without_masked,
+)
 from ._calls import check, check_formats
 from ._data_arrays import described
 from ._errors import ArgumentError, ShapeError
 from ._library import contact_library, formats_library
 from ._paths import Path
+from ._structs import rc_surface_resampling
 from ._surface_writer import save_surface
 from ._units import metres_of
 
@@ -20,6 +34,12 @@ FORMS = {
     "mean": _constants.RC_SURFACE_FORM_MEAN,
     "plane": _constants.RC_SURFACE_FORM_PLANE,
     "quadric": _constants.RC_SURFACE_FORM_QUADRIC,
+}
+METHODS = {"linear": _constants.RC_SURFACE_LINEAR, "cubic": _constants.RC_SURFACE_CUBIC}
+AXES = {
+    "x": _constants.RC_SURFACE_MIRROR_X,
+    "y": _constants.RC_SURFACE_MIRROR_Y,
+    "xy": _constants.RC_SURFACE_MIRROR_X | _constants.RC_SURFACE_MIRROR_Y,
 }
 
 
@@ -34,6 +54,7 @@ class Surface:
     mask: [ny, nx] 0 where a point is missing; None: all are there
     unit: of all lengths, if it is known ("um"); whatever presses or analyses the surface then does so in metres
     assumed: assumptions about what a file leaves open; "" for surfaces that were not read
+    remarks: how many points the methods below have changed, one sentence for each call
     """
 
     heights: Doubles
@@ -42,6 +63,7 @@ class Surface:
     mask: Optional[Mask] = None
     unit: Optional[str] = None
     assumed: str = ""
+    remarks: Tuple[str, ...] = ()
     _leading: ClassVar[int] = 0
 
     def __post_init__(self) -> None:
@@ -86,16 +108,96 @@ class Surface:
         nx, ny = columns_and_rows(self.shape)
         heights = self._known()
         check_formats(formats_library().rc_surface_fill(nx, ny, *self.pitch, pointer(heights)))
-        return replace(self, heights=heights, mask=None)
+        return replace(self, heights=heights, mask=None, remarks=(*self.remarks, f"{_points(self.missing.sum())} filled"))
 
     def without(self, form: str) -> "Surface":
         """The same surface less the least-squares fit of a form, "mean", "plane" or "quadric", over the points that are there."""
-        if form not in FORMS:
-            raise ArgumentError(f"form is {form!r}: {', '.join(FORMS)}")
         nx, ny = columns_and_rows(self.shape)
         heights = self._known()
-        check_formats(formats_library().rc_surface_remove_form(nx, ny, FORMS[form], pointer(heights)))
+        check_formats(formats_library().rc_surface_remove_form(nx, ny, _named("form", form, FORMS), pointer(heights)))
         return replace(self, heights=heights)
+
+    def despiked(self, factor: float = 10.0) -> "Surface":
+        """The same surface without its spikes, which are missing points then: `filled` gives them heights. A spike differs from the
+        median of the 5 x 5 points around it by more than factor times the median of that difference."""
+        nx, ny = columns_and_rows(self.shape)
+        heights, count, largest = self._known(), ctypes.c_int64(), ctypes.c_double()
+        check_formats(formats_library().rc_surface_despike(nx, ny, float(factor), pointer(heights), count, largest))
+        found = f"{_points(count.value)} removed as spikes" + (f", the largest of {largest.value:.3g}" if count.value else "")
+        return replace(self, heights=heights, mask=None, remarks=(*self.remarks, found))
+
+    def cropped(
+        self, x: Optional[Tuple[float, float]] = None, y: Optional[Tuple[float, float]] = None, *, margin: float = 0.0
+    ) -> "Surface":
+        """The points whose cells have their middles in x and y, lengths from the outer edge of the first cell; None: from one edge
+        to the other, less the margin. A part does not repeat."""
+        nx, ny = columns_and_rows(self.shape)
+        heights, n = self._known(), (ctypes.c_int64(nx), ctypes.c_int64(ny))
+        ends = [
+            (margin, count * pitch - margin) if asked is None else asked
+            for asked, count, pitch in ((x, nx, self.pitch[0]), (y, ny, self.pitch[1]))
+        ]
+        if len(self.shape) == 1:
+            ends[1] = (0.0, self.pitch[1])
+        check_formats(formats_library().rc_surface_crop(*n, *self.pitch, *ends[0], *ends[1], pointer(heights)))
+        left = n[0].value * n[1].value
+        shape = (n[0].value,) if len(self.shape) == 1 else (n[1].value, n[0].value)
+        kept = heights.ravel()[:left].reshape(shape)
+        repeats = self.periodic if left == nx * ny else False
+        remarks = (*self.remarks, f"{_points(nx * ny)} cut to {left}")
+        return replace(self, heights=kept, mask=None, periodic=repeats, remarks=remarks)
+
+    def mirrored(self, axes: str) -> "Surface":
+        """The same surface with its points in the reverse order along "x", "y" or both, "xy", as a body that is turned over shows
+        them; no height changes."""
+        nx, ny = columns_and_rows(self.shape)
+        heights = self._known()
+        check_formats(formats_library().rc_surface_mirror(nx, ny, _named("axes", axes, AXES), pointer(heights)))
+        return replace(self, heights=heights, mask=None, remarks=(*self.remarks, f"mirrored along {axes}"))
+
+    def shifted(self, dx: float, dy: float = 0.0, *, method: str = "cubic") -> "Surface":
+        """The same surface moved by dx, dy on its grid: cyclically if it repeats, else points without a height are missing. Between
+        points heights are interpolated by method, "linear" or "cubic"."""
+        nx, ny = columns_and_rows(self.shape)
+        heights, missing = self._known(), ctypes.c_int64()
+        how = (int(self.periodic is True), _named("method", method, METHODS))
+        check_formats(
+            formats_library().rc_surface_shift(nx, ny, *self.pitch, float(dx), float(dy), *how, pointer(heights), missing)
+        )
+        remarks = (*self.remarks, f"shifted by {dx:g}, {dy:g}: {_points(missing.value)} missing")
+        return replace(self, heights=heights, mask=None, remarks=remarks)
+
+    def resampled(self, grid: Union["Surface", Pitch], *, method: str = "cubic") -> "Surface":
+        """Its heights on another grid, with the outer edges of the first cells at one place.
+
+        grid: a surface with this grid, or the pitch of one over the same area; at most 1.5 times as coarse as this one's
+        method: "linear", or "cubic" (Keys 1981, a = -1/2), exact at common points; points outside of the surface are missing
+        """
+        nx, ny = columns_and_rows(self.shape)
+        if isinstance(grid, Surface):
+            if (grid.unit is None) != (self.unit is None):
+                raise ArgumentError(f"one surface is in {self.unit or grid.unit!r}, the other says no unit; give it one")
+            factor = 1.0 if self.unit is None else metres_of(str(grid.unit)) / metres_of(self.unit)
+            sides, shape = (grid.pitch[0] * factor, grid.pitch[1] * factor), grid.shape
+            if len(shape) != len(self.shape):
+                raise ShapeError(f"a surface of {self.shape} points cannot be resampled on a grid of {shape}")
+        else:
+            sides = as_pitch(grid)
+            counts = [max(1, int(n * own / new + 1e-6)) for n, own, new in zip((nx, ny), self.pitch, sides)]
+            shape = (counts[0],) if len(self.shape) == 1 else (counts[1], counts[0])
+        if len(self.shape) == 1:
+            sides = (sides[0], self.pitch[1])
+        heights, to = self._known(), np.empty(shape)
+        to_nx, to_ny = columns_and_rows(shape)
+        struct = given(rc_surface_resampling(), nx=nx, ny=ny, hx=self.pitch[0], hy=self.pitch[1], heights=heights)
+        given(struct, periodic=int(self.periodic is True), interpolation=_named("method", method, METHODS))
+        given(struct, to_nx=to_nx, to_ny=to_ny, to_hx=sides[0], to_hy=sides[1], to=to)
+        given(struct, x0=0.5 * (sides[0] - self.pitch[0]), y0=0.5 * (sides[1] - self.pitch[1]))
+        check_formats(formats_library().rc_surface_resample(struct))
+        whole = np.allclose((to_nx * sides[0], to_ny * sides[1]), (nx * self.pitch[0], ny * self.pitch[1]), rtol=1e-6, atol=0)
+        said = f"pitch {self.pitch[0]:g}, {self.pitch[1]:g} resampled to {sides[0]:g}, {sides[1]:g}"
+        remarks = (*self.remarks, f"{said}: {_points(struct.missing)} missing")
+        return replace(self, heights=to, pitch=sides, mask=None, periodic=self.periodic if whole else False, remarks=remarks)
 
     def in_unit(self, unit: str) -> "Surface":
         """The same surface with its lengths in another unit."""
@@ -125,6 +227,7 @@ class Surface:
             periodic=False if False in repeat else None if None in repeat else True,
             mask=mask,
             assumed="; ".join(dict.fromkeys(each for each in (self.assumed, other.assumed) if each)),
+            remarks=(*self.remarks, *other.remarks),
         )
 
     def save(self, path: Path) -> None:
@@ -142,6 +245,16 @@ class Surface:
     def undeformed_gap(self) -> Doubles:
         """Distance of every point to a plane through the highest one [length]."""
         return gap_below(self.heights, self.mask, 0)
+
+
+def _points(count: int) -> str:
+    return f"{count} point" if count == 1 else f"{count} points"
+
+
+def _named(what: str, name: str, numbers: Mapping[str, int]) -> int:
+    if name not in numbers:
+        raise ArgumentError(f"{what} is {name!r}: {', '.join(numbers)}")
+    return numbers[name]
 
 
 class Stack(Surface):

@@ -248,6 +248,13 @@ class rc_surface_format(Sized):
 
 
 @struct
+class rc_surface_resampling(Sized):
+    members = """size_t struct_size; int64_t nx ny; double hx hy; doubles heights;
+    int32_t periodic interpolation=RC_SURFACE_CUBIC; int64_t to_nx to_ny; double to_hx to_hy x0 y0; doubles to;
+    int64_t missing"""
+
+
+@struct
 class rc_word(Sized):
     members = "size_t struct_size; text name group form help choices example why_not; int32_t kind most calls reserved"
 

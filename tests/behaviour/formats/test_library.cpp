@@ -179,6 +179,65 @@ void prepares_heights(void**) {
   require_error(rc_surface_remove_form(3, 3, 1, none.data()), RC_ERR_ARGUMENT, "infinite value at ix=2, iy=0");
 }
 
+void moves_points(void**) {
+  std::vector<double> z = {1, 2, 3, 4, 5, 6};  // 3 x 2
+  std::int64_t nx = 3, ny = 2, count = -1;
+  double largest = -1;
+  assert_int_equal(rc_surface_mirror(3, 2, RC_SURFACE_MIRROR_X | RC_SURFACE_MIRROR_Y, z.data()), RC_OK);
+  assert_true(z == (std::vector<double>{6, 5, 4, 3, 2, 1}));
+  assert_int_equal(rc_surface_shift(3, 2, 1, 1, 1, 0, 0, RC_SURFACE_LINEAR, z.data(), &count), RC_OK);
+  assert_true(count == 2 && std::isnan(z[0]) && z[1] == 6 && z[5] == 2);
+  assert_int_equal(rc_surface_crop(&nx, &ny, 1, 1, 1, INFINITY, 0, 1, z.data()), RC_OK);
+  assert_true(nx == 2 && ny == 1 && z[0] == 6 && z[1] == 5);
+  std::vector<double> spiked = {0, 1, 0, 1, 900, 1, 0, 1, 0, 1};
+  assert_int_equal(rc_surface_despike(10, 1, 10, spiked.data(), &count, &largest), RC_OK);
+  assert_true(count == 1 && std::isnan(spiked[4]) && largest == 899);
+  assert_int_equal(rc_surface_despike(10, 1, 10, spiked.data(), nullptr, nullptr), RC_OK);
+
+  const std::vector<double> before = z;
+  require_error(rc_surface_mirror(3, 2, 0, z.data()), RC_ERR_ARGUMENT, "axes = 0");
+  require_error(rc_surface_mirror(3, 2, 4, z.data()), RC_ERR_ARGUMENT, "axes = 4");
+  require_error(rc_surface_mirror(3, 2, 1, nullptr), RC_ERR_ARGUMENT, "heights is null");
+  require_error(rc_surface_shift(2, 1, 1, 1, HUGE_VAL, 0, 0, 1, z.data(), nullptr), RC_ERR_ARGUMENT, "dx = inf");
+  require_error(rc_surface_shift(2, 1, 0, 1, 1, 0, 0, 1, z.data(), nullptr), RC_ERR_ARGUMENT, "hx = 0");
+  require_error(rc_surface_shift(2, 1, 1, 1, 1, 0, 2, 1, z.data(), nullptr), RC_ERR_ARGUMENT, "periodic = 2");
+  require_error(rc_surface_shift(2, 1, 1, 1, 1, 0, 0, 3, z.data(), nullptr), RC_ERR_ARGUMENT, "interpolation = 3");
+  require_error(rc_surface_crop(&nx, nullptr, 1, 1, 0, 1, 0, 1, z.data()), RC_ERR_ARGUMENT, "ny is null");
+  require_error(rc_surface_crop(&nx, &ny, 1, 1, 5, 6, 0, 1, z.data()), RC_ERR_ARGUMENT, "middle of no cell");
+  require_error(rc_surface_despike(2, 1, -1, z.data(), &count, nullptr), RC_ERR_ARGUMENT, "factor = -1");
+  require_error(rc_surface_despike(2, INT64_MAX, 1, z.data(), &count, nullptr), RC_ERR_SHAPE, "nx = 2");
+  assert_true(std::memcmp(z.data(), before.data(), z.size() * sizeof z[0]) == 0 && nx == 2 && ny == 1);
+}
+
+void resamples(void**) {
+  const std::vector<double> z = {0, 1, 4, 9, 16};  // a parabola
+  std::vector<double> to(9, 7);
+  rc_surface_resampling r = RC_SURFACE_RESAMPLING_INIT;
+  assert_int_equal(r.interpolation, RC_SURFACE_CUBIC);
+  r.nx = 5, r.ny = 1, r.hx = r.hy = 2, r.heights = z.data();
+  r.to_nx = 9, r.to_ny = 1, r.to_hx = 1, r.to_hy = 2, r.to = to.data();
+  assert_int_equal(rc_surface_resample(&r), RC_OK);
+  for (int i = 0; i < 9; ++i) assert_true(near(to[static_cast<std::size_t>(i)], i * i / 4.0));
+  r.x0 = 7.5;
+  assert_int_equal(rc_surface_resample(&r), RC_OK);
+  assert_true(r.missing == 8 && near(to[0], 3.75 * 3.75) && std::isnan(to[1]));
+
+  const auto refused = [&](auto member, auto value, rc_status status, const char* says) {
+    rc_surface_resampling bad = r;
+    bad.*member = value;
+    require_error(rc_surface_resample(&bad), status, says);
+  };
+  using R = rc_surface_resampling;
+  refused(&R::heights, nullptr, RC_ERR_ARGUMENT, "heights is null");
+  refused(&R::to, nullptr, RC_ERR_ARGUMENT, "to is null");
+  refused(&R::to_nx, std::int64_t{0}, RC_ERR_SHAPE, "nx = 0");
+  refused(&R::to_hx, 3.01, RC_ERR_ARGUMENT, "skip summits");
+  refused(&R::to_hx, -1.0, RC_ERR_ARGUMENT, "hx = -1");
+  refused(&R::x0, HUGE_VAL, RC_ERR_ARGUMENT, "x0 = inf");
+  refused(&R::struct_size, std::size_t{3}, RC_ERR_ARGUMENT, "struct_size");
+  require_error(rc_surface_resample(nullptr), RC_ERR_ARGUMENT, "null");
+}
+
 // A pipe hands over what was written so far: reads are short.
 void reads_a_file_in_pieces(void**) {
   const std::string folder = (std::filesystem::temp_directory_path() / ("formats" + std::to_string(getpid()))).string();
@@ -229,6 +288,8 @@ int main() {
                               cmocka_unit_test(knows_units),
                               cmocka_unit_test(lists_formats),
                               cmocka_unit_test(prepares_heights),
+                              cmocka_unit_test(moves_points),
+                              cmocka_unit_test(resamples),
                               cmocka_unit_test(reads_a_file_in_pieces),
                               cmocka_unit_test(survives_lack_of_memory)};
   return cmocka_run_group_tests(tests, nullptr, nullptr);
