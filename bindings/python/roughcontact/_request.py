@@ -333,7 +333,9 @@ def pressed(
         if remark.code in WARNINGS and spelling == _constants.RC_SPELLING_KEYWORD:
             warn(remark.text.decode(), WARNINGS[remark.code])
     view = request.view
-    shape = maps[0].shape or (view.system.ny, view.system.nx)
+    given_shape = maps[0].shape or (view.system.ny, view.system.nx)
+    sides = (view.system.ny, view.system.nx) if len(given_shape) - leading == 2 else (view.system.nx,)
+    shape = (*given_shape[:leading], *sides)  # words may have cut the map
     found = _half_space(request, shape[leading:]) if system is None else system
     if shape[leading:] != found.shape:
         raise ShapeError(f"heights have shape {shape[leading:]}, the grid {found.shape}")
