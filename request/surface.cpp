@@ -6,24 +6,32 @@
 #include <limits>
 
 #include "core/error.h"
-#include "request/request.h"
+#include "request/registration.h"
 
 namespace rc::request {
 
-namespace {
-
-enum class Missing { reject, fill, exclude };  // in the order of the table
-
-bool same_pitch(double a, double b, double tolerance = 1e-6) { return std::abs(a - b) <= tolerance * std::abs(b); }
-
-std::string length_text(const Units& units, double length, int digits) {
-  return units.si ? with_prefix(length, "m", digits) : in_digits(length, digits);
-}
+bool same_pitch(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance * std::abs(b); }
 
 void check_formats(rc_status status, const Map& map) {
   if (status == RC_OK) return;
   const std::string_view message = rc_surface_read_last_error();
   fail(status, map.name, ": ", message.substr(message.find(": ") + 2));
+}
+
+void mark_masked(Map& map) {
+  if (!map.mask) return;
+  std::vector<double>& z = map.writable();
+  for (std::size_t i = 0; i < z.size(); ++i)
+    if (!map.mask[i]) z[i] = std::numeric_limits<double>::quiet_NaN();
+  map.mask = nullptr;
+}
+
+namespace {
+
+enum class Missing { reject, fill, exclude };  // in the order of the table
+
+std::string length_text(const Units& units, double length, int digits) {
+  return units.si ? with_prefix(length, "m", digits) : in_digits(length, digits);
 }
 
 // Puts the pitch that was given into a map that has none.
@@ -72,15 +80,6 @@ std::pair<std::int64_t, std::size_t> missing_points(const Map& map) {
   return {count, first};
 }
 
-// NaN where the mask leaves a point out, so that steps of the preparation need no mask.
-void mark_masked(Map& map) {
-  if (!map.mask) return;
-  std::vector<double>& z = map.writable();
-  for (std::size_t i = 0; i < z.size(); ++i)
-    if (!map.mask[i]) z[i] = std::numeric_limits<double>::quiet_NaN();
-  map.mask = nullptr;
-}
-
 void reject_missing(const Words& words, const Map& map, std::int64_t count, std::size_t first) {
   const auto place = static_cast<std::int64_t>(first) % (map.nx * map.ny),
              which = static_cast<std::int64_t>(first) / (map.nx * map.ny);
@@ -97,22 +96,26 @@ void fill(Map& map) {
     check_formats(rc_surface_fill(map.nx, map.ny, map.hx, map.hy, z), map);
 }
 
-// Missing points and form of one map; returns how many points were missing.
-std::int64_t prepare(const Words& words, Map& map, rc_request& request) {
+// Crops, cleans and levels one map, and treats its missing points; returns how many there were.
+std::int64_t prepare(const Words& words, Units& units, Map& map, rc_request& request) {
   const auto rule = static_cast<Missing>(words.chosen("missing"));
   const std::size_t form = words.chosen("remove");
+  if (rule == Missing::exclude && words.call == RC_CALL_ANALYZE)
+    throw Error(words.spelt("missing"), ": points cannot be excluded here, spectra need all of them; give reject or fill");
   if (!map.z) return 0;
+  crop(words, units, map, request);
   const auto [count, first] = missing_points(map);
   if (count == static_cast<std::int64_t>(map.points()))
     throw Error(map.name, ": ", count == 1 ? "the only point is" : join("all ", count, " points are"), " missing");
   if (count > 0 && rule == Missing::reject) reject_missing(words, map, count, first);
+  const std::int64_t spikes = despike(words, map, request);
   if (count > 0 || form > 0 || (map.mask && rule == Missing::fill)) mark_masked(map);
   if (form > 0) {
     double* z = map.writable().data();
     for (std::int64_t k = 0; k < map.maps; ++k, z += map.nx * map.ny)
       check_formats(rc_surface_remove_form(map.nx, map.ny, static_cast<std::int32_t>(form), z), map);
   }
-  if (rule == Missing::fill) fill(map);
+  if (rule == Missing::fill || (spikes > 0 && rule == Missing::reject)) fill(map);
   if (count > 0) {
     const auto place = static_cast<std::int64_t>(first) % (map.nx * map.ny);
     const char* const done = rule == Missing::fill ? "filled" : "excluded";
@@ -134,7 +137,8 @@ void add_other(const Words& words, const Units& units, std::string_view word, Ma
       return join(each.nx, " x ", each.ny, " points, pitch ", length_text(units, x, 7), " x ", length_text(units, y, 7));
     };
     fail(RC_ERR_SHAPE, words.spelt(word), ": ", other.name, " has ", grid(other, hx, hy), ", ", map.name, " has ",
-         grid(map, map.hx, map.hy), ": give two maps on the same grid");
+         grid(map, map.hx, map.hy), ": give two maps on the same grid, or ", words.spelling.value("resample", "cubic"), " and ",
+         words.spelt("shift"));
   }
   if (other.periodic == 0 || map.periodic == 1) map.periodic = other.periodic;
   if (!map.z || !other.z) return;
@@ -169,7 +173,7 @@ void set_surface(const rc_request_spec& spec, const Words& words, Units& units, 
   rc_system& system = request.view.system;
   const bool bare_shape = name_shape(words, units, request), of_gap = map_of(spec, "gap") != nullptr;
   const std::string_view word = of_gap ? "gap" : "surface";
-  for (const char* const change : {"remove", "against", "shape", "format"})
+  for (const char* const change : {"crop", "despike", "remove", "against", "mirror", "shift", "resample", "shape", "format"})
     if (of_gap && (words.find(change) || map_of(spec, change)))
       throw Error(words.spelt(change), " changes heights, but ", words.spelt("gap"), " is given");
   std::optional<Map> loaded = load_map(spec, words, word, units.bare);
@@ -199,12 +203,16 @@ void set_surface(const rc_request_spec& spec, const Words& words, Units& units, 
   if (bare_shape && map.unit != 1 && !units.bare.name)
     throw Error(words.spelt("shape"), ": R has no unit, but ", map.name, " have one: give R its unit");
 
-  if (!of_gap) request.view.missing = prepare(words, map, request);
+  if (!of_gap) request.view.missing = prepare(words, units, map, request);
   for (auto& [name, body] : {std::pair{std::string_view("against"), &other}, std::pair{std::string_view("shape"), &shaped}}) {
     if (!*body) continue;
     if (!((*body)->hx > 0)) (*body)->hx = map.hx;
     if (!((*body)->hy > 0)) (*body)->hy = map.hy;
-    request.view.missing += prepare(words, **body, request);
+    request.view.missing += prepare(words, units, **body, request);
+    if (name == "against") {
+      mirror(words, **body);
+      onto_grid(words, units, **body, map, request);
+    }
     add_other(words, units, name, **body, map);
     if (name == "shape") map.periodic = 0;  // a ball ends somewhere
   }

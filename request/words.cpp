@@ -15,6 +15,8 @@ namespace {
 
 constexpr std::int32_t every = every_call;
 constexpr std::int32_t presses = every & ~RC_CALL_ANALYZE;
+constexpr std::int32_t whole = every & ~RC_CALL_ROWS;
+constexpr std::string_view alone = "a rank has some rows, and this needs others";
 constexpr std::string_view elastic = "Elasticity (modulus, or E and nu)", loading = "Loading (one of)",
                            nothing = "nothing presses when a surface is analysed";
 

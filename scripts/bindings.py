@@ -318,7 +318,7 @@ def words() -> List[Tuple[Any, ...]]:
     text = re.sub(r"^//.*\n", "", (ROOT / "request/words.def").read_text(), flags=re.M)
     kinds = {name: name for name in re.findall(r"RC_WORD_\w+", text)}
     own = {"every": every, "presses": every & ~calls["RC_CALL_ANALYZE"], "elastic": "", "loading": "", "most_targets": 100000}
-    exec(text, {**calls, **kinds, **own, "nothing": "nothing presses when a surface is analysed", "RC_REQUEST_WORD": lambda *row: rows.append(row)})
+    exec(text, {**calls, **kinds, **own, "nothing": "nothing presses when a surface is analysed", "whole": every & ~calls["RC_CALL_ROWS"], "alone": "a rank has some rows, and this needs others", "RC_REQUEST_WORD": lambda *row: rows.append(row)})
     return rows
 
 

@@ -165,7 +165,11 @@ enum {
   RC_REMARK_BOUNDARY = 3,  /* periodic is taken: neither a word nor a map says it                                    */
   RC_REMARK_ENDS = 4,      /* free is taken, as the map says                                                         */
   RC_REMARK_MISSING = 5,   /* points were filled or excluded: count, ix and iy of the first                          */
-  RC_REMARK_SMALL = 6      /* a pressure below that of any solid: a unit may be missing                              */
+  RC_REMARK_SMALL = 6,     /* a pressure below that of any solid: a unit may be missing                              */
+  RC_REMARK_CROPPED = 7,   /* points of the map before and after                                                     */
+  RC_REMARK_SPIKES = 8,    /* points that were taken out, and the farthest of them from the median                   */
+  RC_REMARK_RESAMPLED = 9, /* pitch of the other body before and after                                               */
+  RC_REMARK_OVERLAP = 10   /* points that are left, and the shift                                                    */
 };
 enum { RC_FACT = 0, RC_ASSUMED = 1, RC_DOUBTFUL = 2 };
 

@@ -9,8 +9,17 @@ HELP = {
     "pitch": ("H or HX,HY", "Cell size of a map that has none"),
     "unit": ("UNIT", "Unit of lengths without a unit, among the words and in files: m (default), mm, um, nm, A"),
     "missing": ("RULE", "Missing points: reject (default), fill (interpolate) or exclude (from contact)"),
+    "crop": ("X0..X1,Y0..Y1", "Region that is kept, from the edge of the first cell, or a margin"),
+    "despike": (
+        "K",
+        "Take out points that are farther from the median around them than K times the median of such distances; 10 is "
+        "usual",
+    ),
     "remove": ("FORM", "Level the map first: none (default), mean, plane or quadric"),
     "against": ("FILE", "Second rough body: heights on the same grid, seen from the first, and added"),
+    "mirror": ("AXES", "Turn the other body over: reverse it along x, y or xy"),
+    "shift": ("DX,DY", "Move the other body; points without a partner are cut off"),
+    "resample": ("METHOD", "Bring the other body onto the grid of the surface: linear or cubic (default: refuse other grids)"),
     "shape": ("SHAPE", "Nominal shape, added last: sphere:R=1mm, cylinder:R=1mm,axis=x or wedge:angle=5deg,axis=x"),
     "modulus": ("E*", "Contact modulus"),
     "E": ("E", "Young's modulus"),

@@ -30,8 +30,13 @@ RIGHT = {
     "pitch": [{"pitch": "1um,2um"}, {"pitch": "1e-6"}, {"pitch": "1000nm"}],
     "unit": [{"unit": "um", "pitch": "1"}, {"unit": "um", "pitch": "1um", "load": "1N"}],
     "missing": [{"surface": "holed.npy", "missing": "fill"}, {"surface": "holed.npy", "missing": "exclude"}],
+    "crop": [{"crop": "2um..9um,1um..12um"}, {"crop": "1um"}],
+    "despike": [{"surface": "spiked.npy", "despike": "10"}],
     "remove": [{"remove": form} for form in ("none", "mean", "plane", "quadric")],
     "against": [{"against": "other.npy"}, {"against": "holed.npy", "missing": "fill", "remove": "plane"}],
+    "mirror": [{"against": "other.npy", "mirror": axes} for axes in ("x", "y", "xy")],
+    "shift": [{"against": "other.npy", "shift": shift} for shift in ("2um,0um", "-1um,3um", "0.5um")],
+    "resample": [{"against": "fine.gsf", "resample": method} for method in ("linear", "cubic")],
     "shape": [
         {"shape": shape, "boundary": None}
         for shape in ("sphere:R=1mm", "cylinder:R=1mm", "cylinder:R=1mm,axis=y", "wedge:angle=1deg")
@@ -68,8 +73,13 @@ WRONG = {
     ][1:],
     "unit": [{"unit": "MPa"}],
     "missing": [{"missing": "fil"}],
+    "crop": [{"crop": "1um..2um"}, {"crop": "-1um"}, {"crop": "9um"}],
+    "despike": [{"despike": "0"}, {"despike": "much"}],
     "remove": [{"remove": "parabola"}],
     "against": [{"against": "narrow.npy"}],
+    "mirror": [{"mirror": "z"}],
+    "shift": [{"against": "other.npy", "shift": "20um,0um"}, {"against": "other.npy", "shift": "1MPa"}],
+    "resample": [{"against": "fine.gsf"}, {"against": "fine.gsf", "resample": "nearest"}],
     "shape": [
         {"shape": text}
         for text in (
@@ -121,8 +131,12 @@ def folder(tmp_path_factory):
         "empty": rough * np.nan,
         "narrow": rough[:, 1:],
     }
-    for name, z in maps.items():
+    spiked = rough.copy()
+    spiked[5, 6] = 3e-6
+    for name, z in {**maps, "spiked": spiked}.items():
         np.save(made / f"{name}.npy", z)
+    fine = rc.surface.spectral((20, 20), pitch=0.8e-6, rms_height=1e-7, hurst=0.8, seed=4, q_high=1.5e6)
+    rc.Surface(fine.heights, 0.8e-6, False, unit="m").save(made / "fine.gsf")
     return made
 
 
@@ -259,3 +273,22 @@ def test_words_that_a_call_does_not_take_are_refused(call, how, folder, monkeypa
     else:
         with pytest.raises(TypeError, match="load"):
             call("surface.npy", load="1N")
+
+
+def test_preparation_is_what_its_words_say(folder, monkeypatch):
+    monkeypatch.chdir(folder)
+    rough, other, spiked = (np.load(f"{name}.npy") for name in ("surface", "other", "spiked"))
+    how = {"modulus": 1e9, "load": 1e-5, "boundary": "periodic", "pitch": "1um"}
+
+    def same(found, heights):
+        assert found.grid.shape == heights.shape
+        assert found.approach == pytest.approx(rc.solve(heights, **{**how, "pitch": 1e-6}).approach, rel=1e-12, abs=0)
+
+    same(rc.solve("surface.npy", unit="m", crop="2um..9um,1um..12um", **how), rough[1:12, 2:9])
+    same(rc.solve("surface.npy", unit="m", against="other.npy", mirror="x", **how), rough + other[:, ::-1])
+    same(rc.solve("surface.npy", unit="m", against="other.npy", mirror="y", **how), rough + other[::-1])
+    shifted = rc.solve("surface.npy", unit="m", against="other.npy", shift="2um,-1um", **how)
+    same(shifted, rough[:-1, 2:] + other[1:, :-2])
+    clean = spiked.copy()
+    clean[5, 6] = np.nan
+    same(rc.solve("spiked.npy", unit="m", despike=10, **how), rc.Surface(clean, 1e-6).filled().heights)
