@@ -90,8 +90,9 @@ rc_status rc_punch_stiffness(const rc_system* system, rc_const_array mask, const
   return guard("rc_punch_stiffness", [&] {
     if (!stiffness) fail(RC_ERR_ARGUMENT, "stiffness is null");
     StiffnessInterval found;
-    const rc_status status = set_stiffness(read<rc_system>(system, "rc_system", RC_SYSTEM_INIT), host_values<std::uint8_t>(mask, "mask"),
-                                           options ? *options : rc_options{Context::standard(), {}}, found);
+    const rc_status status =
+        set_stiffness(read<rc_system>(system, "rc_system", RC_SYSTEM_INIT), host_values<std::uint8_t>(mask, "mask"),
+                      options ? *options : rc_options{Context::standard(), {}}, found);
     if (std::isnan(found.value)) return status;
     *stiffness = found.value;
     if (lower) *lower = found.lower;

@@ -15,8 +15,8 @@ extern "C" rc_status rc_gap_from_heights(int64_t n, rc_const_array heights, rc_c
     if (n > 0 && (!z || !gap)) fail(RC_ERR_ARGUMENT, z ? "undeformed_gap" : "heights", " is null");
     double highest = -std::numeric_limits<double>::infinity();
     for (std::int64_t i = 0; i < n; ++i)
-      if (!wanted || wanted[i] != 0) highest = std::fmax(highest, z[i]);      // passes over NaN
-    if (highest == -std::numeric_limits<double>::infinity()) highest = 0;   // no point is there
+      if (!wanted || wanted[i] != 0) highest = std::fmax(highest, z[i]);   // passes over NaN
+    if (highest == -std::numeric_limits<double>::infinity()) highest = 0;  // no point is there
     for (std::int64_t i = 0; i < n; ++i) gap[i] = highest - z[i];
     return RC_OK;
   });

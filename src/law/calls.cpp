@@ -65,8 +65,7 @@ rc_status rc_law_create(const rc_system* system, const rc_options* options, cons
     const rc_system patch = read<rc_system>(system, "rc_system", RC_SYSTEM_INIT);
     const rc_law_spec wanted = read<rc_law_spec>(spec, "rc_law_spec", RC_LAW_SPEC_INIT);
     check_reserved(wanted.reserved, "rc_law_spec.reserved");
-    check_host_arrays<rc_const_array>(
-        {{"rc_law_spec.undeformed_gap", wanted.undeformed_gap}, {"rc_law_spec.mask", wanted.mask}});
+    check_host_arrays<rc_const_array>({{"rc_law_spec.undeformed_gap", wanted.undeformed_gap}, {"rc_law_spec.mask", wanted.mask}});
     *out = create_law(patch, options, wanted).release();
     return concluded(**out);
   });

@@ -173,8 +173,10 @@ A = TypeVar("A", rc_array, rc_const_array)
 
 
 def _describe(array: A, values: Any) -> A:
+    """values: kept as long as the struct; a member of another struct keeps nothing."""
     if values is None:
         return array
+    array.kept = values
     array.type = RC_SINGLE if np.dtype(values.dtype) == np.float32 else RC_NATIVE
     if isinstance(values, DeviceArray):
         array.data, array.memory = values.address, values.memory
@@ -184,7 +186,7 @@ def _describe(array: A, values: Any) -> A:
 
 
 def array_in(values: Optional[NDArray[Any]]) -> rc_const_array:
-    """An array that the library reads; None: none. values must be kept as long as it is used."""
+    """An array that the library reads; None: none."""
     return _describe(rc_const_array(), values)
 
 
@@ -194,7 +196,8 @@ def array_out(values: Optional[NDArray[Any]]) -> rc_array:
 
 
 def given(members: S, **values: Any) -> S:
-    """Sets members of a struct, of arrays to their address; those that are None stay as they are."""
+    """Sets members of a struct, of arrays to their address; those that are None stay as they are. The struct keeps the arrays."""
+    members.kept = (members.kept, values)
     for name, value in values.items():
         member = getattr(members, name)
         if isinstance(member, (rc_array, rc_const_array)):

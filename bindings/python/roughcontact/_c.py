@@ -46,6 +46,7 @@ class Sized(ctypes.Structure):
 
     members: ClassVar[str] = ""
     initial: ClassVar[Dict[str, Any]]
+    kept: Any = None  # what its pointers refer to
 
     def __init__(self) -> None:
         super().__init__()

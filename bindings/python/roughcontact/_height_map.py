@@ -12,6 +12,8 @@ from ._arrays import (
     Doubles,
     Mask,
     Pitch,
+    array_in,
+    array_out,
     as_doubles,
     as_mask,
     as_pitch,

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import ctypes
 import weakref
-from typing import Any, Optional, Tuple
+from typing import Optional, Tuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import Doubles, as_doubles, pointer
+from ._arrays import Doubles, array_in, array_out, as_doubles
 from ._calls import check
 from ._errors import ShapeError
 from ._library import contact_library

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _constants, plot
-from ._arrays import Doubles, as_doubles, pointer
+from ._arrays import Doubles, array_in, array_out, as_doubles, given, pointer
 from ._calls import Callbacks, check, conclude, interruptible, last_message
 from ._errors import ArgumentError
 from ._handle import Progress, progress_caller

@@ -9,7 +9,7 @@ import numpy as np
 
 from . import analysis
 from ._answers import Stored
-from ._arrays import Doubles, Mask, as_doubles, given, pointer
+from ._arrays import Doubles, Mask, array_in, as_doubles, given
 from ._calls import check
 from ._library import contact_library
 from ._structs import rc_patches

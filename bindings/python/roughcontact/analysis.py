@@ -15,7 +15,19 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _constants
-from ._arrays import Doubles, Mask, Pitch, as_doubles, as_int, as_mask, as_pitch, given, pointer, refuse_one_row
+from ._arrays import (
+    Doubles,
+    Mask,
+    Pitch,
+    array_in,
+    array_out,
+    as_doubles,
+    as_int,
+    as_mask,
+    as_pitch,
+    given,
+    refuse_one_row,
+)
 from ._c import members_for
 from ._calls import check, conclude, interruptible
 from ._errors import ArgumentError, ShapeError

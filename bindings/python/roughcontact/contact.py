@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _constants
-from ._arrays import Doubles, Mask, Reals, as_doubles, as_mask, as_reals, as_switch, given, pointer
+from ._arrays import Doubles, Mask, Reals, array_out, as_doubles, as_mask, as_reals, as_switch, given
 from ._calls import check
 from ._errors import ArgumentError, ShapeError
 from ._device import DeviceArray, alike, device_array, in_shape, package_of

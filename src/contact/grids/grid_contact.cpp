@@ -62,7 +62,8 @@ void check_pressures(const rc_step& step, const Outputs& outputs, const GridProb
       const double p = outputs.p.at(i);
       const auto at = [&] { return place(problem.rows().first() * problem.system.given.nx + k, problem.system.given.nx); };
       if (!std::isfinite(p)) fail(RC_ERR_ARGUMENT, "rc_result.p[", i, "] = ", p, " is not finite (", at(), ")");
-      if (p != 0 && (step.mask.data ? values_of<std::uint8_t>(step.mask)[i] == 0 : !step.undeformed_gap.data && !last.empty() && !last.included(i)))
+      if (p != 0 && (step.mask.data ? values_of<std::uint8_t>(step.mask)[i] == 0
+                                    : !step.undeformed_gap.data && !last.empty() && !last.included(i)))
         fail(RC_ERR_ARGUMENT, "rc_result.p[", i, "] = ", p, " but this point is excluded by the mask (", at(), ")");
     }
   });

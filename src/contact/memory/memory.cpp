@@ -116,8 +116,9 @@ std::int64_t Memory::contact_points(std::int64_t room, std::int64_t* index, doub
 }
 
 Memory memory_of(const rc_state& state, const StepSurface& surface, std::int64_t points) {
-  return {certified_step(values_of<double>(state.p), state.approach, state.load, surface, points, ""),
-          certified_step(values_of<double>(state.p_before), state.approach_before, state.load_before, surface, points, "_before")};
+  return {
+      certified_step(values_of<double>(state.p), state.approach, state.load, surface, points, ""),
+      certified_step(values_of<double>(state.p_before), state.approach_before, state.load_before, surface, points, "_before")};
 }
 
 }  // namespace rc

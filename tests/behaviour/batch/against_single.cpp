@@ -166,6 +166,25 @@ void pressures_start_the_next_call() {
   for (std::size_t i = 0; i < 3; ++i) check(again.iterations[i] <= 2, "iterations from the solution");
 }
 
+// Gaps that floats hold exactly, and pressures that are rounded to floats at the end.
+void floats_serve_as_gap_start_and_pressures() {
+  Study study = rough_study(3, 2);
+  std::vector<float> gaps(study.gaps.begin(), study.gaps.end());
+  study.gaps.assign(gaps.begin(), gaps.end());
+  const Outcome doubles = study.solve(1);
+  std::vector<float> p(gaps.size());
+  Outcome floats = study.solve(2, [&](rc_batch& b) {
+    b.undeformed_gap = {gaps.data(), RC_SINGLE, 0, nullptr};
+    b.p = {p.data(), RC_SINGLE, 0, nullptr};
+  });
+  for (std::size_t m = 0; m < p.size(); ++m)
+    check_near(p[m], doubles.p[m], 1e-6 * pairs::largest(doubles.p), "a pressure in a float");
+  floats.p = doubles.p;
+  check_same(doubles, floats);
+  const Outcome again = study.solve(2, [&](rc_batch& b) { b.p0 = {p.data(), RC_SINGLE, 0, nullptr}; });
+  check_outcome(again, RC_OK, 3, 3, -1);
+}
+
 void fn_sees_each_step_in_order() {
   Study study = rough_study(5, 3);
   std::vector<std::atomic<std::int64_t>> seen(5);
@@ -247,6 +266,7 @@ std::vector<Test> against_single_tests() {
   tests.push_back({"a_shared_array_serves_all", a_shared_array_serves_all});
   tests.push_back({"strides_leave_room_between_contacts", strides_leave_room_between_contacts});
   tests.push_back({"pressures_start_the_next_call", pressures_start_the_next_call});
+  tests.push_back({"floats_serve_as_gap_start_and_pressures", floats_serve_as_gap_start_and_pressures});
   tests.push_back({"fn_sees_each_step_in_order", fn_sees_each_step_in_order});
   tests.push_back({"outputs_may_be_null", outputs_may_be_null});
   tests.push_back({"other_operators", other_operators});

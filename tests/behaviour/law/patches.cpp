@@ -180,8 +180,9 @@ double Referee::mean_rate(const rc_result& result) {
   std::vector<std::int64_t> points(weights_.size());
   Field p(weights_.size());
   std::int64_t n = 0;
-  pairs::check_equal(rc_contact_points(contact_.handle(), static_cast<std::int64_t>(p.size()), RC_OUT(points.data()), RC_OUT(p.data()), &n),
-                     RC_OK, "points");
+  pairs::check_equal(
+      rc_contact_points(contact_.handle(), static_cast<std::int64_t>(p.size()), RC_OUT(points.data()), RC_OUT(p.data()), &n),
+      RC_OK, "points");
   weights_.assign(weights_.size(), 1 / static_cast<double>(counted));
   for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i)
     if (result.capped > 0 && p[i] >= patch_.problem.system.hardness) weights_[static_cast<std::size_t>(points[i])] = 0;

@@ -33,7 +33,8 @@ void slope_energy_and_inverse_belong_to_the_pressure() {
     if (x > 0) check(std::abs(conductance - point.conductance / 2) <= 1e-9 * conductance, "conductance at " + text(x));
   }
   std::vector<double> xs = overclosures(law), p(xs.size()), slope(xs.size()), energy(xs.size());
-  check_equal(rc_law_pressures(law, static_cast<std::int64_t>(xs.size()), RC_IN(xs.data()), RC_OUT(p.data()), RC_OUT(slope.data()), RC_OUT(energy.data())),
+  check_equal(rc_law_pressures(law, static_cast<std::int64_t>(xs.size()), RC_IN(xs.data()), RC_OUT(p.data()),
+                               RC_OUT(slope.data()), RC_OUT(energy.data())),
               RC_OUTSIDE, "n");
   for (std::size_t i = 0; i < xs.size(); ++i) check(p[i] == evaluate(law, xs[i]).p, "rc_law_pressures");
 }

@@ -127,7 +127,7 @@ static void disagreements(const scene* s) {
                "an infinite start on one rank");
   j.step.p0.data = NULL;
   if (rank == last) j.step.undeformed_gap.memory = "cuda";
-  check_failed(rc_mpi_contact_solve(contact, &j.step, &j.result), RC_ERR_INCOMPATIBLE, "arrays in the host's memory only",
+  check_failed(rc_mpi_contact_solve(contact, &j.step, &j.result), RC_ERR_ARGUMENT, "arrays in the host's memory only",
                "a device's memory on one rank");
   j.step.undeformed_gap.memory = NULL;
   j.step.target = -1;

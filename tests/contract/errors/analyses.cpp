@@ -53,9 +53,13 @@ struct Call {
 
 Outcome measured(const Call& c) { return rc_area_measure(c.system_given, RC_IN(c.p_given), RC_IN(c.mask.data()), c.area_given); }
 Outcome found(const Call& c) { return rc_patches_find(c.system_given, RC_IN(c.p_given), RC_IN(c.mask.data()), c.patches_given); }
-Outcome filled(const Call& c) { return rc_histogram_fill(c.system_given, RC_IN(c.p_given), RC_IN(c.mask.data()), c.histogram_given); }
+Outcome filled(const Call& c) {
+  return rc_histogram_fill(c.system_given, RC_IN(c.p_given), RC_IN(c.mask.data()), c.histogram_given);
+}
 
-Outcome crossed(const Call& c) { return rc_crossing_find(c.system_given, RC_IN(c.p_given), RC_IN(c.mask.data()), c.crossing_given); }
+Outcome crossed(const Call& c) {
+  return rc_crossing_find(c.system_given, RC_IN(c.p_given), RC_IN(c.mask.data()), c.crossing_given);
+}
 
 Outcome punched(const Scene& scene, double* stiffness) {
   return rc_punch_stiffness(&scene.system, {}, nullptr, stiffness, nullptr, nullptr);
@@ -199,7 +203,8 @@ Section analyses() {
              const Scene scene;
              const std::vector<std::uint8_t> nowhere(points);
              double stiffness = untouched;
-             const Outcome outcome = rc_punch_stiffness(&scene.system, RC_IN(nowhere.data()), nullptr, &stiffness, nullptr, nullptr);
+             const Outcome outcome =
+                 rc_punch_stiffness(&scene.system, RC_IN(nowhere.data()), nullptr, &stiffness, nullptr, nullptr);
              assert_true(stiffness == 0);
              return outcome;
            }},

@@ -99,6 +99,19 @@ Section batches() {
            refused,
            {"rc_batch_solve: rc_batch.undeformed_gap is null but n = 3"},
            batch_with(0, [](Study& s) { s.batch.undeformed_gap = {}; })},
+          {"batch whose mask is in a device's memory",
+           refused,
+           {"rc_batch_solve: rc_batch.mask.memory = \"cuda\": this call takes arrays in the host's memory only; copy it there, "
+            "and "
+            "set memory to null"},
+           batch_with(0,
+                      [](Study& s) {
+                        s.batch.mask = {s.gaps.data(), RC_NATIVE, 0, "cuda"};
+                      })},
+          {"batch whose load is to be written in floats",
+           refused,
+           {"rc_batch_solve: rc_columns.load.type = 1 is not RC_NATIVE"},
+           batch_with(0, [](Study& s) { s.batch.columns.load.type = RC_SINGLE; })},
           {"batch with undeformed_gap_stride = 15",
            RC_ERR_SHAPE,
            {"rc_batch.undeformed_gap_stride = 15 must be 0, RC_BATCH_SHARED (-1) or at least nx*ny = 16"},

@@ -13,7 +13,7 @@ static int refused(rc_status status) {
 static int differentiate(rc_contact* contact, const double* gap, double* change) {
   rc_gradient gradient = RC_GRADIENT_INIT;
   gradient.dJ_dgap = RC_IN(gap);
-  gradient.dJ_dundeformed_gap = change;
+  gradient.dJ_dundeformed_gap = RC_OUT(change);
   return refused(rc_contact_gradient(contact, &gradient));
 }
 
