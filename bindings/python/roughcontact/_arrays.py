@@ -2,7 +2,7 @@
 
 import ctypes
 import operator
-from typing import Any, Dict, Optional, Sequence, Tuple, Type, TypeVar, Union
+from typing import Any, Optional, Sequence, Tuple, Type, TypeVar, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -203,5 +203,5 @@ def given(members: S, **values: Any) -> S:
         if isinstance(member, (rc_array, rc_const_array)):
             _describe(member, value)
         elif value is not None:
-            setattr(members, name, value)
+            setattr(members, name, pointer(value) if isinstance(value, np.ndarray) else value)
     return members

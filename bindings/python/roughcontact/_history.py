@@ -7,7 +7,7 @@ from typing import Any, Callable, List, Optional
 
 import numpy as np
 
-from ._arrays import Doubles, Mask, as_doubles, as_switch, doubles_at, given
+from ._arrays import Doubles, Mask, as_switch, doubles_at, given
 from ._calls import Callbacks
 from ._errors import ArgumentError, as_status
 from ._handle import Handle

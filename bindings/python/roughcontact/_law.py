@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from . import _constants, plot
 from ._arrays import Doubles, array_in, array_out, as_doubles, given, pointer
-from ._calls import Callbacks, check, conclude, interruptible, last_message
+from ._calls import Callbacks, check, conclude, interruptible
 from ._errors import ArgumentError
 from ._handle import Progress, progress_caller
 from ._keywords import split_words

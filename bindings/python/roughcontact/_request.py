@@ -28,7 +28,7 @@ from ._device import DeviceArray, device_array
 from ._errors import ArgumentError, ShapeError
 from ._files import PACKAGE, contents_of, is_file, name_of, surface_in
 from ._height_map import Surface, gap_below
-from ._library import contact_library, request_library
+from ._library import request_library
 from ._maps import has_methods_of_a_topography, pitch_of_topography
 from ._structs import rc_given, rc_map, rc_problem_view, rc_remark, rc_request_spec, rc_smooth
 from ._units import AssumedUnit, warn

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _constants
 from ._arrays import Doubles, Mask, Reals, array_out, as_doubles, as_mask, as_reals, as_switch, given
 from ._calls import check
-from ._errors import ArgumentError, ShapeError
+from ._errors import ArgumentError
 from ._device import DeviceArray, alike, device_array, in_shape, package_of
 from ._derivatives import Gradient, Tangent, gradient_from, gradient_request, tangent_from, tangent_request
 from ._handle import Handle
