@@ -30,6 +30,7 @@ HEADERS = {
     "contact": [f"roughcontact/{name}.h" for name in ("roughcontact", "history", "derivatives", "direct", "product", "analysis", "law", "registry")],
     "surface": ["roughcontact/surface.h"],
     "formats": ["roughcontact/formats.h"],
+    "flow": ["roughcontact/flow.h"],
     "mpi": ["roughcontact/mpi.h"],
 }
 # Functions of plugin.h that Python calls; the structs that only this header knows are handles to it.
@@ -355,7 +356,7 @@ def golden(headers: Sequence[str], found: Interface) -> str:
 def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
     """{path: text}"""
     contact = read(HEADERS["contact"], include, cc)
-    surface, formats, mpi = (read(HEADERS[name], include, cc, contact) for name in ("surface", "formats", "mpi"))
+    surface, formats, flow, mpi = (read(HEADERS[name], include, cc, contact) for name in ("surface", "formats", "flow", "mpi"))
     mpi.types = {name: mpi.types[name] for name in FROM_MPI}
     mpi.functions = {
         name: each
@@ -364,7 +365,7 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
     }
     plugin = read(["roughcontact/plugin.h"], include, cc, contact)
     ranks = read(["roughcontact/ranks.h"], include, cc, contact)
-    every = [*HEADERS["contact"], *HEADERS["surface"], *HEADERS["formats"], "roughcontact/ranks.h"]
+    every = [*HEADERS["contact"], *HEADERS["surface"], *HEADERS["formats"], *HEADERS["flow"], "roughcontact/ranks.h"]
     added = {name: plugin.functions[name] for name in FROM_PLUGIN}
     known = contact.functions.keys() | surface.functions.keys() | formats.functions.keys() | mpi.functions.keys()
     unknown = (SCALARS.keys() | OPTIONAL.keys()) - known
