@@ -64,7 +64,7 @@ up_to_date() {
   local target
   [ -e "$build/built" ] || return 1
   for target in "${targets[@]}"; do [[ " $(<"$build/built") " == *" $target "* ]] || return 1; done
-  [ -z "$(find "$root"/{CMakeLists.txt,CMakePresets.json,backends,bindings,cmake,formats,include,mpi,packaging,pkgconfig,request,src,surface,tools} -newer "$build/built" -print -quit)" ]
+  [ -z "$(find "$root"/{CMakeLists.txt,CMakePresets.json,backends,bindings,cmake,flow,formats,include,mpi,packaging,pkgconfig,request,src,surface,tools} -newer "$build/built" -print -quit)" ]
 }
 
 if ! up_to_date; then

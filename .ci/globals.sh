@@ -4,7 +4,7 @@
 set -euo pipefail
 build=$1
 allow=$(dirname "$0")/globals.allow
-objects=$(find "$build/src" "$build/backends" "$build/surface" "$build/formats" -name '*.o' 2>/dev/null | sort -u || true)  # a folder may not be there
+objects=$(find "$build/src" "$build/backends" "$build/surface" "$build/formats" "$build/flow" -name '*.o' 2>/dev/null | sort -u || true)  # a folder may not be there
 [ -n "$objects" ] || { echo "no objects under $build"; exit 1; }
 # shellcheck disable=SC2086
 mutable=$(nm -C -f sysv $objects | awk -F ' *[|] *' '$4 ~ /OBJECT|TLS/ && $7 ~ /^\.t?(data|bss)/ && $7 !~ /^\.data\.rel\.ro/ { print $1 }' |

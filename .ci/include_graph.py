@@ -8,7 +8,7 @@ import re
 import sys
 
 CONTACT = {f'roughcontact/{name}.h' for name in ('roughcontact', 'history', 'derivatives', 'direct', 'product', 'analysis', 'law', 'ranks', 'registry')}
-PUBLIC = CONTACT | {f'roughcontact/{name}' for name in ('mpi.h', 'plugin.h', 'surface.h', 'formats.h', 'request.h', 'plugin.hpp')}
+PUBLIC = CONTACT | {f'roughcontact/{name}' for name in ('mpi.h', 'plugin.h', 'surface.h', 'formats.h', 'flow.h', 'request.h', 'plugin.hpp')}
 STEP = {f'contact{part}' for part in ('', '/surface', '/memory', '/coarse', '/sparse', '/proof', '/step')}
 LAYERS = {  # folder under src: folders it may include, each without the folders below it that stand here themselves
     'platform': {'platform'},
@@ -48,16 +48,18 @@ OUTSIDE = {  # other folders: public headers they may include; besides, their ow
     'surface': {'roughcontact/roughcontact.h', 'roughcontact/surface.h'},
     'formats': {'roughcontact/roughcontact.h', 'roughcontact/formats.h'},
     'request': CONTACT | {'roughcontact/formats.h', 'roughcontact/request.h'},
+    'flow': CONTACT | {'roughcontact/flow.h'},
     'fuzz': CONTACT | {'roughcontact/surface.h', 'roughcontact/formats.h'},
     'examples': PUBLIC,
     'integrations': PUBLIC,
 }
-# The files of src that folders outside src, or the law, may include: headers of grid and platform, core/text.h, and HAAR.
+# The files of src that folders outside src, or the law, may include: headers of grid and platform, core/text.h, and HAAR; the flow takes
+# the session with CHOLMOD of backends/cholmod.
 # The parts of haar-cg that need no other part of the library: plugins that run its iteration on a machine of their own compile them.
 HAAR = {'solvers/problem.h', 'solvers/haar_cg/iteration/iteration.h', 'solvers/haar_cg/starts.h', 'trees/tree_inputs.h', 'trees/tree_shape.h',
         'trees/algebra.inc'}
 BESIDE = {'core', 'abi/own_guard.h', 'abi/sized_struct.h'}
-BORROWED = {'surface': BESIDE | {'grid'}, 'formats': BESIDE | {'platform'}, 'request': BESIDE, 'tools': {'core/text.h', 'platform'}, 'law': {'abi/arrays.h', 'abi/guard.h', 'abi/sized_struct.h'}, 'backends': {'platform', 'core/certificate_terms.h', 'core/start_terms.h'} | HAAR}
+BORROWED = {'surface': BESIDE | {'grid'}, 'formats': BESIDE | {'platform'}, 'request': BESIDE, 'flow': BESIDE | {'platform', 'cholmod'}, 'tools': {'core/text.h', 'platform'}, 'law': {'abi/arrays.h', 'abi/guard.h', 'abi/sized_struct.h'}, 'backends': {'platform', 'core/certificate_terms.h', 'core/start_terms.h'} | HAAR}
 WITHIN = {('cuda_host', 'cuda/tables.h')}  # one plugin, built twice
 EXCEPTIONS = {('src/registry/builtin.cpp.in', 'backends/known.def'),  # a list of names
               ('src/law/table.c', 'table.h')}  # compiled by programs without this tree

@@ -6,7 +6,7 @@ import re
 import sys
 
 SYSTEM = re.compile(r'_WIN(32|64)|__MINGW|_MSC_VER|__CYGWIN__|__linux|__unix|__APPLE__|__FreeBSD__|__ANDROID__|__GLIBC__')
-FOLDERS = ('src', 'include', 'backends', 'formats', 'surface', 'mpi', 'tools', 'bindings', 'examples', 'integrations', 'bench', 'fuzz', 'tests')
+FOLDERS = ('src', 'include', 'backends', 'formats', 'surface', 'flow', 'mpi', 'tools', 'bindings', 'examples', 'integrations', 'bench', 'fuzz', 'tests')
 ALLOWED = ('include/roughcontact/roughcontact.h',)
 
 

@@ -1,6 +1,6 @@
 # Leaves the backend cholmod out of the plugins where SuiteSparse is not there: Debian's package has neither a CMake package nor a
 # pkg-config file for it.
-if(NOT cholmod IN_LIST RC_BUILTIN_BACKENDS AND NOT cholmod IN_LIST RC_MODULE_BACKENDS)
+if(NOT cholmod IN_LIST RC_BUILTIN_BACKENDS AND NOT cholmod IN_LIST RC_MODULE_BACKENDS AND NOT RC_BUILD_FLOW)
   return()
 endif()
 find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse)

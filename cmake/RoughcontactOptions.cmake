@@ -28,7 +28,7 @@ foreach(option RC_BUILD_SURFACE RC_BUILD_FORMATS RC_BUILD_TOOLS RC_BUILD_TESTS R
   endif()
 endforeach()
 
-foreach(option RC_BUILD_MPI RC_CUDA)
+foreach(option RC_BUILD_MPI RC_BUILD_FLOW RC_CUDA)
   if(DEFINED ${option})
     string(TOUPPER "${${option}}" given)
     if(NOT given MATCHES "^(AUTO|ON|OFF)$")

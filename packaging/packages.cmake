@@ -92,6 +92,11 @@ rc_package(libroughcontact-mpi0 COMPONENTS mpi SECTION libs LIBRARY roughcontact
   DEPENDS libroughcontact0
   SUMMARY "certified normal contact of rough surfaces - over MPI"
   DESCRIPTION ${rc_about} "." "This package has the library for contacts that the ranks of MPI share by rows.")
+rc_package(libroughcontact-flow0 COMPONENTS flow SECTION libs LIBRARY roughcontact-flow NOTICES suitesparse eigen
+  DEPENDS libroughcontact0
+  SUMMARY "leaks through the gaps of rough contacts - shared library"
+  DESCRIPTION ${rc_about} "." "This package has the library that computes how much fluid leaks through a gap, with a"
+    "proven interval. It links CHOLMOD and is therefore under the GPL.")
 rc_package(libroughcontact-dev COMPONENTS development fortran octave SECTION libdevel NOTICES eigen gsl
   DEPENDS libroughcontact0 libroughcontact-surface0 libroughcontact-formats0 libroughcontact-request0
   RECOMMENDS libgsl-dev libzip-dev libpugixml-dev zlib1g-dev SUGGESTS pkg-config gfortran octave-dev

@@ -20,7 +20,7 @@ LICENCES = {'libamd': 'BSD-3-Clause', 'libblas': 'BSD-3-Clause', 'libbz2-': 'bzi
             'libmpich': 'mpich2', 'libnetcdf': 'NetCDF', 'libopenblas': 'BSD-3-Clause', 'libopenmpi': 'BSD-3-Clause', 'libpugixml': 'MIT',
             'libquadmath': 'LGPL-2.1-or-later', 'libssl': 'Apache-2.0', 'libstdc++': GCC, 'libsuitesparseconfig': 'BSD-3-Clause',
             'libzip': 'BSD-3-Clause', 'nlohmann-json3-dev': 'MIT', 'python3-numpy': 'BSD-3-Clause', 'python3': 'PSF-2.0', 'zlib1g': 'Zlib'}
-OURS = {r'-backend-': 'GPL-2.0-or-later', r'-surface|-tools': 'GPL-3.0-or-later',
+OURS = {r'-backend-|-flow': 'GPL-2.0-or-later', r'-surface|-tools': 'GPL-3.0-or-later',
         r'-dev_|\.whl$': 'BSD-3-Clause AND GPL-2.0-or-later AND GPL-3.0-or-later', '-site': 'BSD-3-Clause',
         r'\.tar\.gz$': 'BSD-3-Clause AND GPL-2.0-only AND GPL-2.0-or-later AND GPL-3.0-or-later', '': 'BSD-3-Clause'}
 HEADERS = {r'-tools_|\.whl$': ['libcli11-dev', 'nlohmann-json3-dev', 'libeigen3-dev'], r'^lib': ['libeigen3-dev']}  # compiled in

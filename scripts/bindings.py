@@ -32,6 +32,7 @@ HEADERS = {
     "surface": ["roughcontact/surface.h"],
     "formats": ["roughcontact/formats.h"],
     "request": ["roughcontact/request.h"],
+    "flow": ["roughcontact/flow.h"],
     "mpi": ["roughcontact/mpi.h"],
 }
 # Functions of plugin.h that Python calls; the structs that only this header knows are handles to it.
@@ -393,7 +394,7 @@ def golden(headers: Sequence[str], found: Interface) -> str:
 def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
     """{path: text}"""
     contact = read(HEADERS["contact"], include, cc)
-    surface, formats, mpi = (read(HEADERS[name], include, cc, contact) for name in ("surface", "formats", "mpi"))
+    surface, formats, flow, mpi = (read(HEADERS[name], include, cc, contact) for name in ("surface", "formats", "flow", "mpi"))
     request = read(HEADERS["request"], include, cc, formats)
     with_communicators = mpi.functions.keys()
     mpi.types = {name: mpi.types[name] for name in FROM_MPI}
@@ -404,7 +405,7 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
     }
     plugin = read(["roughcontact/plugin.h"], include, cc, contact)
     ranks = read(["roughcontact/ranks.h"], include, cc, contact)
-    every = [*HEADERS["contact"], *HEADERS["surface"], *HEADERS["formats"], *HEADERS["request"], "roughcontact/ranks.h"]
+    every = [*HEADERS["contact"], *HEADERS["surface"], *HEADERS["formats"], *HEADERS["flow"], *HEADERS["request"], "roughcontact/ranks.h"]
     added = {name: plugin.functions[name] for name in FROM_PLUGIN}
     known = contact.functions.keys() | ranks.functions.keys() | surface.functions.keys() | formats.functions.keys() | with_communicators
     unknown = (SCALARS.keys() | OPTIONAL.keys()) - known

@@ -5,6 +5,7 @@
 #include <roughcontact/analysis.h>
 #include <roughcontact/derivatives.h>
 #include <roughcontact/direct.h>
+#include <roughcontact/flow.h>
 #include <roughcontact/formats.h>
 #include <roughcontact/history.h>
 #include <roughcontact/law.h>
@@ -87,6 +88,10 @@ VALUE(RC_SURFACE_MIRROR_X, 1);
 VALUE(RC_SURFACE_MIRROR_Y, 2);
 VALUE(RC_SURFACE_LINEAR, 1);
 VALUE(RC_SURFACE_CUBIC, 2);
+VALUE(RC_FLOW_X, 1);
+VALUE(RC_FLOW_Y, 2);
+VALUE(RC_FLOW_CLOSED, 1);
+VALUE(RC_FLOW_PERIODIC, 2);
 VALUE(RC_CALL_SOLVE, 1);
 VALUE(RC_CALL_HISTORY, 2);
 VALUE(RC_CALL_BATCH, 4);
@@ -654,6 +659,66 @@ AT(rc_surface_resampling, x0, 88);
 AT(rc_surface_resampling, y0, 96);
 AT(rc_surface_resampling, to, 104);
 AT(rc_surface_resampling, missing, 112);
+
+SIZE(rc_flow_spec, 184);
+AT(rc_flow_spec, struct_size, 0);
+AT(rc_flow_spec, along, 8);
+AT(rc_flow_spec, sides, 12);
+AT(rc_flow_spec, viscosity, 16);
+AT(rc_flow_spec, pressure_drop, 24);
+AT(rc_flow_spec, width, 32);
+AT(rc_flow_spec, memory, 40);
+AT(rc_flow_spec, nx, 48);
+AT(rc_flow_spec, ny, 56);
+AT(rc_flow_spec, hx, 64);
+AT(rc_flow_spec, hy, 72);
+AT(rc_flow_spec, gap, 80);
+AT(rc_flow_spec, gap_error, 104);
+AT(rc_flow_spec, mask, 128);
+AT(rc_flow_spec, load, 152);
+AT(rc_flow_spec, potential, 160);
+
+SIZE(rc_flow_result, 96);
+AT(rc_flow_result, struct_size, 0);
+AT(rc_flow_result, status, 8);
+AT(rc_flow_result, crosses, 12);
+AT(rc_flow_result, iterations, 16);
+AT(rc_flow_result, reserved, 20);
+AT(rc_flow_result, flow, 24);
+AT(rc_flow_result, lower, 32);
+AT(rc_flow_result, upper, 40);
+AT(rc_flow_result, constriction, 48);
+AT(rc_flow_result, constriction_x, 56);
+AT(rc_flow_result, constriction_y, 64);
+AT(rc_flow_result, gap_error, 72);
+AT(rc_flow_result, dropped, 80);
+AT(rc_flow_result, seconds, 88);
+
+SIZE(rc_flow_factors, 104);
+AT(rc_flow_factors, struct_size, 0);
+AT(rc_flow_factors, status, 8);
+AT(rc_flow_factors, reserved, 12);
+AT(rc_flow_factors, xx, 16);
+AT(rc_flow_factors, xy, 24);
+AT(rc_flow_factors, yy, 32);
+AT(rc_flow_factors, xx_lower, 40);
+AT(rc_flow_factors, xx_upper, 48);
+AT(rc_flow_factors, xy_lower, 56);
+AT(rc_flow_factors, xy_upper, 64);
+AT(rc_flow_factors, yy_lower, 72);
+AT(rc_flow_factors, yy_upper, 80);
+AT(rc_flow_factors, mean_gap, 88);
+AT(rc_flow_factors, seconds, 96);
+
+SIZE(rc_flow_closing, 56);
+AT(rc_flow_closing, struct_size, 0);
+AT(rc_flow_closing, status, 8);
+AT(rc_flow_closing, steps, 12);
+AT(rc_flow_closing, lower, 16);
+AT(rc_flow_closing, upper, 24);
+AT(rc_flow_closing, area_fraction, 32);
+AT(rc_flow_closing, constriction, 40);
+AT(rc_flow_closing, seconds, 48);
 
 SIZE(rc_word, 80);
 AT(rc_word, struct_size, 0);
