@@ -55,7 +55,7 @@ double largest_deflection(const rc_system& system, const rc_options* options) {
   const std::unique_ptr<rc_product, DestroyProduct> product(made);
   std::vector<double> p(n), u(n);
   p[0] = 1;
-  check_core(rc_product_apply(made, p.data(), 1, system.nx, u.data(), 1, system.nx));
+  check_core(rc_product_apply(made, RC_IN(p.data()), RC_OUT(u.data())));
   return u[0] * (1 + 1e-5);  // products may be in single precision
 }
 

@@ -94,8 +94,8 @@ Scene random_scene(Random& random, std::uint64_t seed) {
       for (std::int64_t x = x0; x < x0 + 9; ++x) scene.mask[static_cast<std::size_t>(y * system.nx + x)] = 0;
   }
   if (random.next() < 0.3) system.hardness = 0.03 + 0.03 * random.next();
-  require_usable(rc_gap_from_heights(system.nx * system.ny, scene.gap.data(), scene.mask.empty() ? nullptr : scene.mask.data(),
-                                     scene.gap.data()),
+  require_usable(rc_gap_from_heights(system.nx * system.ny, RC_IN(scene.gap.data()),
+                                     RC_IN(scene.mask.empty() ? nullptr : scene.mask.data()), RC_OUT(scene.gap.data())),
                  "gap");
   return scene;
 }
@@ -159,7 +159,7 @@ Scene periodic_scene(std::int64_t n, std::uint64_t seed) {
   spec.q_high = 2 * 3.14159265358979 / 8;
   scene.gap.resize(static_cast<std::size_t>(n * n));
   if (rc_surface_spectral(&spec, scene.gap.data()) != RC_OK) fail_msg("%s", rc_surface_last_error());
-  require_usable(rc_gap_from_heights(n * n, scene.gap.data(), nullptr, scene.gap.data()), "gap");
+  require_usable(rc_gap_from_heights(n * n, RC_IN(scene.gap.data()), {}, RC_OUT(scene.gap.data())), "gap");
   return scene;
 }
 
