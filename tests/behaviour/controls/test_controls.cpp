@@ -146,7 +146,7 @@ void a_body_that_yields_keeps_no_trace_of_other_loads(std::int32_t boundary) {
   problem.system.hardness = 0.4 * largest(solved(at_area(problem, 0.2), automatic, settings).p);
   const auto indentation = [&](const Contact& contact) {
     Field depth(problem.points());
-    check(rc_contact_indentation(contact.handle(), depth.data()) == RC_OK, rc_last_error());
+    check(rc_contact_indentation(contact.handle(), RC_OUT(depth.data())) == RC_OK, rc_last_error());
     return depth;
   };
   paths::Request request;
@@ -296,14 +296,14 @@ void the_load_found_is_the_last_step() {
   };
   check_near(gradient(contact).dJ_dtarget, gradient(other).dJ_dtarget, 1e-6 * std::abs(gradient(other).dJ_dtarget), "dd/dW");
   std::int64_t n = 0;
-  check(rc_contact_points(contact.handle(), 0, nullptr, nullptr, &n) == RC_OK && n == found.result.contacts, "points");
+  check(rc_contact_points(contact.handle(), 0, {}, {}, &n) == RC_OK && n == found.result.contacts, "points");
   // A search that is stopped keeps the last certified step.
   const Contact few(problem, automatic, {settings[0], {RC_OPT_MAX_ITER, "30"}});
   check_status(few.solve(at_load(problem, 1e-3 * found.result.load)), RC_OK);
   std::int64_t kept = 0, after = 0;
-  rc_contact_points(few.handle(), 0, nullptr, nullptr, &kept);
+  rc_contact_points(few.handle(), 0, {}, {}, &kept);
   check_status(few.solve(at_area(problem, 0.4)), RC_STOP_MAX_ITER, "iterations of all loads count");
-  rc_contact_points(few.handle(), 0, nullptr, nullptr, &after);
+  rc_contact_points(few.handle(), 0, {}, {}, &after);
   check_equal(after, kept, "points of the last certified step");
 }
 

@@ -26,7 +26,7 @@ const rc_law* law() {
     system.nx = system.ny = n;
     system.hx = system.hy = system.modulus = 1;
     rc_law_spec spec = RC_LAW_SPEC_INIT;
-    spec.undeformed_gap = gap;
+    spec.undeformed_gap = RC_IN(gap);
     spec.p_lower = 1e-3, spec.p_upper = 2e-2;
     rc_law* found = nullptr;
     check(rc_law_create(&system, nullptr, &spec, &found) >= 0, rc_last_error());
