@@ -91,7 +91,7 @@ class Slip:
         x, up = float(self.law.overclosure(pressure)), np.linspace(0, 1, points)
         slips = amplitude * np.concatenate([up, 1 - 2 * up, 2 * up - 1])
         state, before, shears = self.rest.step(x), 0.0, []
-        for slip in slips:
+        for slip in slips.tolist():
             state, before = state.step(x, (slip - before, 0)), slip
             shears.append(state.shear[0])
         return slips, np.array(shears)
