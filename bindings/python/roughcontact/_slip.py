@@ -92,7 +92,7 @@ class Slip:
         slips = amplitude * np.concatenate([up, 1 - 2 * up, 2 * up - 1])
         state, before, shears = self.rest.step(x), 0.0, []
         for slip in slips.tolist():
-            state, before = state.step(x, (slip - before, 0)), slip
+            state, before = state.step(x, (float(slip - before), 0)), slip
             shears.append(state.shear[0])
         return slips, np.array(shears)
 
