@@ -48,7 +48,10 @@ class Blocks:
             tangent = np.array([[state.slope, 0], [state.shear_by_x[0], state.shear_by_slip[0, 0]]])
             entries.append((dofs, self.area * gap.T @ tangent @ gap))
             states.append(state)
-        rows, columns = (np.concatenate([np.ravel(part) for part in parts]) for parts in zip(*(np.meshgrid(d, d, indexing="ij") for d, _ in entries)))
+        rows, columns = (
+            np.concatenate([np.ravel(part) for part in parts])
+            for parts in zip(*(np.meshgrid(d, d, indexing="ij") for d, _ in entries))
+        )
         values = np.concatenate([each.ravel() for _, each in entries])
         return forces, sparse.csr_matrix((values, (rows, columns)), shape=self.stiffness.shape), states
 

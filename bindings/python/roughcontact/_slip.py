@@ -91,8 +91,8 @@ class Slip:
         x, up = float(self.law.overclosure(pressure)), np.linspace(0, 1, points)
         slips = amplitude * np.concatenate([up, 1 - 2 * up, 2 * up - 1])
         state, before, shears = self.rest.step(x), 0.0, []
-        for slip in slips:
-            state, before = state.step(x, (slip - before, 0)), slip
+        for slip in slips.tolist():
+            state, before = state.step(x, (float(slip - before), 0)), slip
             shears.append(state.shear[0])
         return slips, np.array(shears)
 
@@ -107,8 +107,8 @@ class Slip:
         if np.any((slips != 0) & (pressures <= 0)):
             raise ArgumentError("slip before contact: where slip is not 0, pressure must be positive")
         found = np.empty(slips.shape)
-        for i, x in np.ndenumerate(np.asarray(self.law.overclosure(pressures))):
-            found[i] = of(self.rest.step(x).step(x, (slips[i], 0)))
+        for i, x in np.ndenumerate(np.asarray(self.law.overclosure(pressures), dtype=float)):
+            found[i] = of(self.rest.step(float(x)).step(float(x), (float(slips[i]), 0)))
         return found[()]
 
     def plot(self, pressure: Optional[float] = None, **how: Any) -> Any:
