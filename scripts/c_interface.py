@@ -13,7 +13,7 @@ from pycparser import c_ast, c_generator
 # What a C prototype does not say: pointers to one number. All others are arrays.
 SCALARS = {
     "rc_version": "major minor patch abi",
-    **dict.fromkeys(("rc_stop_when", "rc_surface_stop_when"), "flag"),
+    **dict.fromkeys(("rc_stop_when", "rc_surface_stop_when", "rc_flow_stop_when"), "flag"),
     "rc_options_get_int": "out",
     "rc_options_get_real": "out",
     "rc_contact_points": "n",

@@ -207,9 +207,9 @@ void what_asks_for_more_is_solved_one_at_a_time(void**) {
   const Scene s = scene_of(24, 24, RC_BOUNDARY_FREE, RC_CONTROL_LOAD);
   {
     const Contact context;
-    for (double* rc_columns::*const output : {&rc_columns::stiffness, &rc_columns::mean_gap, &rc_columns::load_upper}) {
+    for (rc_array rc_columns::*const output : {&rc_columns::stiffness, &rc_columns::mean_gap, &rc_columns::load_upper}) {
       std::vector<double> values(static_cast<std::size_t>(s.n));
-      const Found found = solved(s, context, 1, [&](rc_batch& b) { b.columns.*output = values.data(); });
+      const Found found = solved(s, context, 1, [&](rc_batch& b) { b.columns.*output = RC_OUT(values.data()); });
       assert_int_equal(found.status, RC_OK);
       assert_true(found.calls > s.few_calls() && values[0] > 0);
     }

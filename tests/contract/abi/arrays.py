@@ -19,7 +19,10 @@ EXCEPTIONS = {
     'direct.h': "matrices in LAPACK's manner",
     'surface.h': "a library of its own, which fills the host's memory",
     'formats.h': "a library of its own, which fills the host's memory",
+    'request.h': "a library of its own, which reads the host's memory",
     'rc_system.dense': 'a matrix with a leading dimension',
+    'rc_law_slip': 'vectors of two components',
+    'rc_law_slip_bounds': 'vectors of two components',
     'rc_kernel_coefficients': 'as kernels of plugins give these numbers',
 }
 NUMBERS = {'double', 'float', 'int8_t', 'uint8_t', 'int32_t', 'uint32_t', 'int64_t', 'uint64_t', 'rc_status'}

@@ -116,6 +116,15 @@ Section paths() {
                refused,
                {"rc_contact_solve_history: rc_history.targets is null but rc_history.n = 3"},
                path_with(0, [](History& h) { h.path.targets = {}; })},
+              {"path with targets in floats",
+               refused,
+               {"rc_contact_solve_history: rc_history.targets.type = 1 is not RC_NATIVE"},
+               path_with(0, [](History& h) { h.path.targets.type = RC_SINGLE; })},
+              {"path whose gap is in a device's memory",
+               refused,
+               {"rc_contact_solve_history: rc_history.undeformed_gap.memory = \"cuda\": this call takes arrays in the host's memory "
+                "only; copy it there, and set memory to null"},
+               path_with(0, [](History& h) { h.path.undeformed_gap.memory = "cuda"; })},
               {"path with control = 3",
                refused,
                {"rc_history.control = 3 is none of RC_CONTROL_APPROACH (1), RC_CONTROL_LOAD (2), RC_CONTROL_AREA (4), "
