@@ -407,7 +407,7 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
     ranks = read(["roughcontact/ranks.h"], include, cc, contact)
     every = [*HEADERS["contact"], *HEADERS["surface"], *HEADERS["formats"], *HEADERS["flow"], *HEADERS["request"], "roughcontact/ranks.h"]
     added = {name: plugin.functions[name] for name in FROM_PLUGIN}
-    known = with_communicators.union(*(each.functions for each in (contact, ranks, surface, formats, flow)))
+    known = set(with_communicators).union(*(each.functions for each in (contact, ranks, surface, formats, flow)))
     unknown = (SCALARS.keys() | OPTIONAL.keys()) - known
     if unknown:
         sys.exit(f"SCALARS and OPTIONAL name functions that the headers do not have: {', '.join(sorted(unknown))}")
