@@ -376,7 +376,6 @@ Section laws() {
 
 Section products() {
   const rc_status refused = RC_ERR_ARGUMENT;
-  const auto nothing = [](std::vector<double>&) {};
   return {"Products",
           {
               {"`rc_product_create`: no boundary",
