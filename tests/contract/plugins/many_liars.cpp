@@ -385,11 +385,11 @@ void an_honest_call_of_many_is_taken(void**) {
 // Answers of many have no place for these numbers, so that each contact computes its own.
 void outputs_that_no_solver_of_many_gives_are_computed(void**) {
   const Scene of(RC_CONTROL_LOAD);
-  for (double* rc_columns::*const output :
+  for (rc_array rc_columns::*const output :
        {&rc_columns::mean_gap, &rc_columns::energy, &rc_columns::stiffness, &rc_columns::load_lower, &rc_columns::load_upper,
         &rc_columns::area_lower, &rc_columns::area_upper, &rc_columns::stiffness_lower, &rc_columns::stiffness_upper}) {
     std::vector<double> values(of.targets.size(), infinity);
-    const Found found = solved(of, {}, "liar", [&](rc_batch& b) { b.columns.*output = values.data(); });
+    const Found found = solved(of, {}, "liar", [&](rc_batch& b) { b.columns.*output = RC_OUT(values.data()); });
     expect_true(of, found, "more outputs");
     assert_true(!found.refused() && std::find(found.iterations.begin(), found.iterations.end(), 4242) == found.iterations.end());
     for (const double each : values) assert_true(std::isfinite(each));
