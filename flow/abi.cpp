@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "abi/own_guard.h"
-#include "abi/sized_struct.h"
+#include "abi/steps.h"
 #include "closing.h"
 #include "layout.h"
 
@@ -52,21 +52,16 @@ void check_grid(std::int64_t nx, std::int64_t ny, double hx, double hy) {
   check_length("hy", hy);
 }
 
-template <class Array> void check_host(const Array& array, const char* name) {
-  check_array(array, name, false);
-  if (array.memory) fail(RC_ERR_ARGUMENT, name, ".memory = ", array.memory, ": the array must lie in the host's memory");
-}
-
 rc_flow_spec read_spec(const rc_flow_spec* given) {
   const auto spec = read<rc_flow_spec>(given, "rc_flow_spec", RC_FLOW_SPEC_INIT);
   if (spec.along != RC_FLOW_X && spec.along != RC_FLOW_Y)
     fail(RC_ERR_ARGUMENT, "along = ", spec.along, " must be RC_FLOW_X or RC_FLOW_Y");
   if (!(spec.width >= 1e-12 && spec.width <= 1)) fail(RC_ERR_ARGUMENT, "width = ", spec.width, " is not in 1e-12 .. 1");
   if (!(spec.memory >= 0)) fail(RC_ERR_ARGUMENT, "memory = ", spec.memory, " must be at least 0");
-  check_host(spec.gap, "gap");
-  check_host(spec.gap_error, "gap_error");
-  check_host(spec.mask, "mask");
-  check_host(spec.potential, "potential");
+  check_host_array(spec.gap, "gap");
+  check_host_array(spec.gap_error, "gap_error");
+  check_host_array(spec.mask, "mask");
+  check_host_array(spec.potential, "potential");
   return spec;
 }
 
@@ -175,8 +170,8 @@ rc_status rc_flow_of_result(const rc_system* given_system, const rc_options* opt
     const rc_result result = read_result(given_result);
     check_sides(spec.sides, true);
     check_fluid(spec);
-    check_host(result.p, "rc_result.p");
-    check_host(result.gap, "rc_result.gap");
+    check_host_array(result.p, "rc_result.p");
+    check_host_array(result.gap, "rc_result.gap");
     if (result.status < 0) fail(RC_ERR_ARGUMENT, "rc_result.status = ", result.status, ": the step has no answer");
     if (!result.p.data || !result.gap.data)
       fail(RC_ERR_ARGUMENT, "rc_result.p and rc_result.gap must be arrays that the step has written");
@@ -239,7 +234,7 @@ rc_status rc_flow_closing_pressure(const rc_system* given_system, const rc_optio
     const rc_flow_spec spec = read_spec(given);
     check_sides(spec.sides, true);
     const rc_step step = read_step(given_step);
-    check_host(step.mask, "rc_step.mask");
+    check_host_array(step.mask, "rc_step.mask");
     if (!step.undeformed_gap.data) fail(RC_ERR_ARGUMENT, "rc_step.undeformed_gap is null");
     return closing_pressure(system, options, step, spec);
   });

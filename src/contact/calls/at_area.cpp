@@ -26,7 +26,7 @@ constexpr double load_of_slope = 0.5;   // Persson, light loads: mean pressure o
 class Room {
  public:
   Room(const Outputs& given, const GridProblem& problem) : given_(given) {
-    problem.company().on_all([&] {
+    problem.rows().on_all([&] {
       const auto n = static_cast<std::size_t>(problem.own_points());
       outputs.p = taken(given.p, n, p_);
       outputs.gap = taken(given.gap, n, gap_);
@@ -115,7 +115,7 @@ double first_load(double share, const Step& step, const GridProblem& problem, co
   const System& system = problem.system;
   const rc_system& s = system.given;
   if (const CertifiedStep& last = memory.last; step.warm && last.same_gap && last.load > 0) {
-    const std::int64_t contacts = problem.company().united(Count{memory.contact_points(0, nullptr, nullptr)}).n;
+    const std::int64_t contacts = problem.rows().united(Count{memory.contact_points(0, nullptr, nullptr)}).n;
     return last.load * share / (static_cast<double>(contacts) / static_cast<double>(system.points()));
   }
   if (system.halfspace()) {

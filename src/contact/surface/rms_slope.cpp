@@ -35,17 +35,17 @@ double gap_or_nan(const StepSurface& surface, std::int64_t point) {
 // The row after this process's rows, of the process that has it; empty if there is none.
 std::vector<double> row_below(const StepSurface& surface) {
   const SurfacePoints& points = surface.points();
-  const Company& company = points.company();
+  const Rows& rows = points.rows();
   std::vector<double> row;
-  if (!company.by_rows()) return row;
+  if (!rows.shared()) return row;
   std::vector<FirstRow> mine;
-  company.on_all([&] {
+  rows.on_all([&] {
     for (std::int64_t x = 0; x < std::min(points.nx(), points.count()); ++x)
-      mine.push_back({company.first_row(), gap_or_nan(surface, x)});
+      mine.push_back({rows.first(), gap_or_nan(surface, x)});
   });
-  const std::int64_t next = company.first_row() + points.count() / points.nx();
-  const std::vector<FirstRow> all = company.joined(std::move(mine));
-  company.on_all([&] {
+  const std::int64_t next = rows.first() + points.count() / points.nx();
+  const std::vector<FirstRow> all = rows.joined(std::move(mine));
+  rows.on_all([&] {
     for (const FirstRow& each : all)
       if (each.row == next) row.push_back(each.gap);
   });

@@ -45,7 +45,7 @@ void wrong_input_is_refused_by_name(void**) {
   refuses(RC_ERR_SHAPE, "2^31 - 1", [](rc_flow_spec& spec, Field&) { spec.nx = spec.ny = 1 << 16; });
   refuses(RC_ERR_ARGUMENT, "gap is null", [](rc_flow_spec& spec, Field&) { spec.gap.data = nullptr; });
   refuses(RC_ERR_ARGUMENT, "gap.type = 1", [](rc_flow_spec& spec, Field&) { spec.gap.type = RC_SINGLE; });
-  refuses(RC_ERR_ARGUMENT, "gap.memory = cuda", [](rc_flow_spec& spec, Field&) { spec.gap.memory = "cuda"; });
+  refuses(RC_ERR_ARGUMENT, "gap.memory = \"cuda\"", [](rc_flow_spec& spec, Field&) { spec.gap.memory = "cuda"; });
   refuses(RC_ERR_ARGUMENT, "gap has 1 values that are negative, infinite or NaN, the first at 7: -",
           [](rc_flow_spec&, Field& field) { field.g[7] = -0.5; });
   refuses(RC_ERR_ARGUMENT, "the first at 0: nan", [&](rc_flow_spec&, Field& field) { field.g[0] = field.g[3] = nan; });
