@@ -29,23 +29,26 @@ rc_status read_as(const char* path, const rc_map* memory, const char* format, co
               : rc_surface_read_memory(memory->contents, memory->size, memory->name, &spec, &file);
 }
 
-// What is wrong with the file, without the function's name.
-std::string file_error() {
-  const std::string_view message = rc_surface_read_last_error();
-  return std::string(message.substr(message.find(": ") + 2));
+// The fault of the file, without the function's name.
+std::string file_error(const Words& words) {
+  constexpr std::string_view format = "format: ";
+  std::string_view message = rc_surface_read_last_error();
+  message.remove_prefix(message.find(": ") + 2);
+  if (!message.starts_with(format)) return std::string(message);
+  return join(words.spelt("format"), ": ", message.substr(format.size()));
 }
 
-Map map_of_file(const char* path, const rc_map* memory, const char* format, const BareUnit& unit) {
+Map map_of_file(const char* path, const rc_map* memory, const char* format, const BareUnit& unit, const Words& words) {
   File file;
   rc_status status = read_as(path, memory, format, nullptr, file);
   // A file that names its units is read without the one that was given, which is perhaps that of another map.
   const bool bare = status == RC_OK ? file.unit_assumed == 1 : unit.name != nullptr;
   Map map;
   if (bare && unit.name) status = read_as(path, memory, format, unit.name, file);
-  if (status != RC_OK) fail(status, file_error());
+  if (status != RC_OK) fail(status, file_error(words));
   if (!bare && unit.name) {
     File again;
-    if (read_as(path, memory, format, unit.name, again) != RC_OK) map.contradiction = file_error();
+    if (read_as(path, memory, format, unit.name, again) != RC_OK) map.contradiction = file_error(words);
   }
   map.name = path ? path : memory->name ? memory->name : "the file";
   map.of_file = true;
@@ -151,7 +154,7 @@ std::optional<Map> load_map(const rc_request_spec& spec, const Words& words, std
   std::optional<Map> map;
   const Given* const format = word == "surface" ? words.find("format") : nullptr;
   if (given || memory->contents) {
-    map = map_of_file(given ? given->text : nullptr, memory, format ? format->text : nullptr, unit);
+    map = map_of_file(given ? given->text : nullptr, memory, format ? format->text : nullptr, unit, words);
     map->bare = take_bare_lengths(map->note);
   } else {
     map = map_in_memory(*memory, words, word, unit);

@@ -1,6 +1,7 @@
 #include "surface/input.h"
 
 #include "formats/error.h"
+#include "formats/registry.h"
 #include "platform/files.h"
 #include "text.h"
 
@@ -21,7 +22,10 @@ Request make_request(const GivenWords& words, std::int32_t call, const rc_map* m
   spec.maps = maps;
   spec.n_maps = n_maps;
   rc_request* request = nullptr;
-  if (rc_request_create(&spec, &request) != RC_OK) throw Error(rc_request_last_error());
+  if (rc_request_create(&spec, &request) != RC_OK) {
+    rc::formats::silence_hdf5();  // else it prints when the command ends after a damaged file
+    throw Error(rc_request_last_error());
+  }
   return {request, Destroy<rc_request_destroy>{}};
 }
 
