@@ -144,9 +144,9 @@ RC_API rc_status rc_law_evaluate(const rc_law *law, double x, rc_law_point *out)
 /** @} */
 
 /** @defgroup law_slip Slip
- *  The shear traction (tangential force per nominal area) of a patch that slips under friction, from its law alone (Ciavarella 1998,
+ *  The shear traction (tangential force per nominal area) of a patch that slips under friction, from its law (Ciavarella 1998,
  *  Jaeger 1998): at the overclosure x a slip s from rest gives mu (p(x) - p(x - s/(mu r))), r = (2 - nu)/(2 - 2 nu), up to mu p.
- *  Unloading and reloading follow Masing's rule; where x changes too, the rules of Mindlin and Deresiewicz (1953), as memory diagrams
+ *  Unloading and reloading follow Masing's rule; where x changes too, those of Mindlin and Deresiewicz (1953), as memory diagrams
  *  (Aleshin, Bou Matar and Van Den Abeele 2015) have them: what is pressed on while nothing slips keeps its shear.
  *
  *  Exact for nu = 0 and in two dimensions; else a model, see docs/how-to/slip.md. Both bodies are elastically similar: nu is
@@ -167,13 +167,13 @@ typedef struct rc_law_slip_state {
 } rc_law_slip_state;
 #define RC_LAW_SLIP_STATE_INIT RC_BEGIN(rc_law_slip_state)
 
-/** A step from the state `before` to the overclosure x, with the slip slip[2] in it. after may be before; a host that iterates keeps
+/** A step from the state `before` to the overclosure x, with the slip slip[2]. after may be before; a host that iterates keeps
  *  before. Of a step that touches, the part of the slip after first touch counts; without contact (x <= 0) nothing is held.
  *
- *  Exact for the model: any history at constant x in one direction; steps in which x grows and less slips than mu r times its growth,
- *  or in which slip goes on. Approximate, of first order in the step: slip that turns back while x falls, and directions that change
+ *  Exact for the model: any history at constant x in one direction; steps where x grows and less slips than mu r times its growth,
+ *  or where slip goes on. Approximate, of first order in the step: slip that turns back while x falls, and directions that change
  *  within a step. 12 layers of earlier slips are kept; more are joined, those that change the shear least.
- *  Some 60 ns, from any thread. RC_OUTSIDE beyond the last node. Errors: ARGUMENT (NaN and infinity, mu < 0, nu, a state that no step
+ *  Some 120 ns, any thread. RC_OUTSIDE beyond the last node. Errors: ARGUMENT (NaN and infinity, mu < 0, nu, a state that no step
  *  has left, such as slip held without contact); INCOMPATIBLE (the law). after does not change then. */
 RC_API rc_status rc_law_slip(const rc_law *law, const rc_law_slip_state *before, double x, const double *slip,
                              rc_law_slip_state *after);

@@ -19,8 +19,8 @@
  *     direct.h     the paper's algorithms on a matrix, one call each
  *     registry.h   contexts, lists of components and options
  *     plugin.h     backends and solvers of your own
- * and those of libraries of their own: surface.h (generated surfaces, spectra), formats.h (files of surfaces), flow.h (leaks through
- * gaps), mpi.h and ranks.h (contacts shared by ranks).
+ * and those of libraries of their own: surface.h (generated surfaces, spectra), formats.h (files of surfaces), flow.h (leaks),
+ * request.h (users' words), mpi.h and ranks.h (contacts shared by ranks).
  *
  * Conventions
  *   pressure        force / length^2                   approach, gap    length
