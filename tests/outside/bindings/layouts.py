@@ -13,6 +13,7 @@ import tempfile
 
 OF_C = ("rc_exchange", "rc_ranks_counts")
 HEADERS = ("history", "derivatives", "direct", "analysis", "law", "registry", "surface", "formats")
+WITHOUT_MODULE = ("flow", "request")
 PROGRAM = """program layouts
   use roughcontact
   use roughcontact_surface
@@ -42,14 +43,16 @@ end program
 def main() -> int:
     source, compiler, libraries, modules = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3], sys.argv[4:]
     golden = (source / "tests" / "contract" / "abi" / "golden.c").read_text()
-    headers = "".join(file.read_text() for file in (source / "include" / "roughcontact").glob("*.h"))
+    texts = {file.stem: file.read_text() for file in (source / "include" / "roughcontact").glob("*.h")}
+    headers, of_c = "".join(texts.values()), "".join(texts[name] for name in WITHOUT_MODULE)
     calls, bodies, structs = [], [], 0
     begun = ["#include <string.h>", *(f"#include <roughcontact/{name}.h>" for name in HEADERS)]
     for name, value in re.findall(r"^VALUE\((\w+), (-?\d+)\);", golden, re.M):
-        calls.append(f"  call check('{name}', int({name}, c_size_t), {value})")
+        if not re.search(rf"\b{name}\b", of_c):
+            calls.append(f"  call check('{name}', int({name}, c_size_t), {value})")
     for struct, size in re.findall(r"^SIZE\((rc_\w+), (\d+)\);", golden, re.M):
         members = re.findall(rf"^AT\({struct}, (\w+), (\d+)\);", golden, re.M)
-        if not members or struct in OF_C:
+        if not members or struct in OF_C or f"}} {struct};" in of_c:
             continue  # a number, or not in the modules
         structs += 1
         calls.append(f"  call check_{struct}()")

@@ -7,7 +7,7 @@ import shutil
 import subprocess
 import sys
 
-HEADERS = ("roughcontact", "history", "derivatives", "direct", "product", "analysis", "law", "ranks", "registry", "formats", "surface")
+HEADERS = ("roughcontact", "history", "derivatives", "direct", "product", "analysis", "law", "ranks", "registry", "formats", "surface", "flow", "request")
 
 
 def main():
