@@ -196,9 +196,9 @@ class Request:
     def doubts(self, load: float) -> List[str]:
         """Remarks on an answer: on doubtful words, and that the contact of a named shape does not fit on the map."""
         smooth = rc_smooth()
-        said = [each.text.decode() for each in self.remarks() if each.severity == _constants.RC_DOUBTFUL]
+        said = [each.text.decode(errors="replace") for each in self.remarks() if each.severity == _constants.RC_DOUBTFUL]
         if request_library().rc_request_smooth(self._handle, load, smooth) == 0:
-            said.append(smooth.remark.decode())
+            said.append(smooth.remark.decode(errors="replace"))
         return [each for each in said if each]
 
 
@@ -336,7 +336,7 @@ def pressed(
     request, maps = _retried(call, words, things, mask, system, leading, spelling)
     for remark in request.remarks():
         if remark.code in WARNINGS and spelling == _constants.RC_SPELLING_KEYWORD:
-            warn(remark.text.decode(), WARNINGS[remark.code])
+            warn(remark.text.decode(errors="replace"), WARNINGS[remark.code])
     view = request.view
     given_shape = maps[0].shape or (view.system.ny, view.system.nx)
     sides = (view.system.ny, view.system.nx) if len(given_shape) - leading == 2 else (view.system.nx,)
@@ -351,8 +351,11 @@ def pressed(
         as_pressed = np.ctypeslib.as_array(view.heights, (int(np.prod(shape)),)).reshape(shape)
         gap: Any = gap_below(as_pressed, points, leading)
     else:
-        gap = undeformed_gap if isinstance(maps[0].keep[1], DeviceArray) else maps[0].keep[1]
+        there = isinstance(maps[0].keep[1], DeviceArray)
+        gap = undeformed_gap if there else maps[0].keep[1]
         gap = gap if view.metres == 1 else gap * view.metres
+        if there:  # a step reads it on the device; other calls get a copy
+            gap = (device_array if call == _constants.RC_CALL_SOLVE else as_doubles)(gap, "undeformed_gap")
     loading = None
     if view.loading is not None:
         name = view.loading.decode()
