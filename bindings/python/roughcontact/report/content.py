@@ -141,11 +141,15 @@ def collect(request: Request) -> Content:
     heights = np.sort(surface.heights[~surface.missing])[::-1]
     shares = np.linspace(0, 1, 201)
     statistics, spectrum, law = _judged(surface, request.words.get("boundary") == "periodic" or surface.periodic is True)
-    told = [each.text.decode(errors="replace") for each in remarks if each.code in (_constants.RC_REMARK_FILE, _constants.RC_REMARK_UNIT)]
+    said = [
+        each.text.decode(errors="replace")
+        for each in remarks
+        if each.code in (_constants.RC_REMARK_FILE, _constants.RC_REMARK_UNIT)
+    ]
     return Content(
         request=request,
         surface=replace(surface, periodic=problem.system.periodic is True),
-        assumed="; ".join(told),
+        assumed="; ".join(said),
         assumes_boundary=any(each.code == _constants.RC_REMARK_BOUNDARY for each in remarks),
         missing=view.missing,
         statistics=statistics,
