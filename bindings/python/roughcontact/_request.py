@@ -24,7 +24,7 @@ from ._arrays import (
 )
 from ._calls import check
 from ._data_arrays import Described, described
-from ._device import DeviceArray, device_array
+from ._device import DeviceArray, device_array, on_host
 from ._errors import ArgumentError, ShapeError
 from ._files import PACKAGE, contents_of, is_file, name_of, surface_in
 from ._height_map import Surface, gap_below
@@ -112,6 +112,7 @@ def map_of(thing: Any, word: str, mask: Any = None, pitch: Any = None, leading: 
         heights = array if absent is None else np.where(absent, np.nan, array)
         struct.heights = pointer(heights)
         keep.append(heights)
+    mask = on_host(mask)
     shared = mask is not None and np.ndim(mask) < len(shape)
     points = as_mask(mask, "mask", shape[leading:] if shared else shape)
     if points is not None:
