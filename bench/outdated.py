@@ -1,6 +1,7 @@
 """outdated.py [SOURCE]: which measured numbers in documents are older than the library in this folder (the tree of this file). A line for each
 page and commit; exit status 1 if there are any that can be measured here: those of a device need one. Changed comments, messages
 and scripts do not count, nor do commits whose message has a trailer "Measured-numbers: unchanged, REASON"; these are printed."""
+import functools
 import os
 import re
 import shutil
@@ -15,10 +16,12 @@ COMMIT = re.compile(r'(?:roughcontact [0-9.]+ \(|commit )([0-9a-f]{7,40})(-dirty
 
 def outdated(source, excused=None):
     """Lines on the pages with measured sections ("<!-- begin NAME -->") below docs. excused: a set, to which the commits with that trailer are added."""
+    @functools.lru_cache(None)
     def git(*arguments):
         ran = subprocess.run(['git', '-C', source, *arguments], capture_output=True, text=True, check=False)
         return None if ran.returncode else ran.stdout.split()
 
+    @functools.lru_cache(None)
     def code(commit, file):
         """What the compiler sees of a file, without space and without strings of three words or more: those are only read."""
         def kept(found):
