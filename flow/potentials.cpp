@@ -52,7 +52,7 @@ class Equations {
   }
   std::size_t count() const { return off_diagonal_ + 2 * static_cast<std::size_t>(unknowns_); }
 
-  // What the flows of a potential leave over in each cell, scaled.
+  // The divergence that the flows of a potential have in each cell, scaled.
   Vector residual(const std::vector<double>& potential, bool along_y) const {
     Vector r = Vector::Zero(unknowns_);
     const auto value = [&](std::int64_t i) { return i == outside ? 0 : potential[static_cast<std::size_t>(i)]; };

@@ -115,7 +115,7 @@ Surface surface_of(std::int64_t nx, std::int64_t ny, const double* heights) {
   return surface;
 }
 
-// What a resampling asks for, checked; the map's heights stay the caller's until here.
+// The checked numbers of a resampling. The map's heights stay the caller's until here.
 std::vector<double> resampled(const rc_surface_resampling& asked) {
   Surface map = surface_of(asked.nx, asked.ny, asked.heights);
   check_pitch(asked.hx, asked.hy);

@@ -80,7 +80,7 @@ static rc_status read_words(Request* request) {
   return status;
 }
 
-/* What is assumed and doubtful, in MEX's memory; NULL: nothing. */
+/* The request's assumptions and doubts, in MEX's memory; NULL: none. */
 static char* remarks_of(const Request* request) {
   char text[1024] = "";
   const int64_t count = rc_request_remark_count(request->request);

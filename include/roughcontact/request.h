@@ -24,7 +24,7 @@ RC_API const char *rc_request_last_error(void);
 
 /** @defgroup words The words  @{ */
 
-/* What is asked for; bits of rc_word.calls. */
+/* Calls that take words; bits of rc_word.calls. */
 enum {
   RC_CALL_SOLVE = 1,    /* one step                                                                                  */
   RC_CALL_HISTORY = 2,  /* steps in order                                                                            */
@@ -98,7 +98,7 @@ typedef struct rc_map {
 } rc_map;
 #define RC_MAP_INIT RC_BEGIN_WITH(rc_map, periodic = -1)
 
-/* What numbers without a unit count. */
+/* The unit of numbers that have none. */
 enum {
   RC_NUMBERS_SI = 0,     /* m, Pa and N; lengths by the word unit; and a remark says so                              */
   RC_NUMBERS_OWN = 1     /* the caller's consistent set, until a text, map or file has a unit: then m, Pa and N      */

@@ -87,7 +87,7 @@ class Slip:
         return self.mu * (2 - self.nu) / (2 - 2 * self.nu) * self.law.overclosure(pressure)
 
     def loop(self, amplitude: float, pressure: float, points: int = 100) -> Tuple[Doubles, Doubles]:
-        """Slips and shears of first loading to the amplitude and of the cycle after it: three branches of so many points."""
+        """Slips and shears along three branches, each of so many points: first loading to the amplitude, unloading, reloading."""
         x, up = float(self.law.overclosure(pressure)), np.linspace(0, 1, points)
         slips = amplitude * np.concatenate([up, 1 - 2 * up, 2 * up - 1])
         state, before, shears = self.rest.step(x), 0.0, []
