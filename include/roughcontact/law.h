@@ -173,7 +173,7 @@ typedef struct rc_law_slip_state {
  *  Exact for the model: any history at constant x in one direction; steps where x grows and less slips than mu r times its growth,
  *  or where slip goes on. Approximate, of first order in the step: slip that turns back while x falls, and directions that change
  *  within a step. 12 layers of earlier slips are kept; more are joined, those that change the shear least.
- *  Some 120 ns, any thread. RC_OUTSIDE beyond the last node. Errors: ARGUMENT (NaN and infinity, mu < 0, nu, a state that no step
+ *  No solve; any thread. RC_OUTSIDE beyond the last node. Errors: ARGUMENT (NaN and infinity, mu < 0, nu, a state that no step
  *  has left, such as slip held without contact); INCOMPATIBLE (the law). after does not change then. */
 RC_API rc_status rc_law_slip(const rc_law *law, const rc_law_slip_state *before, double x, const double *slip,
                              rc_law_slip_state *after);
