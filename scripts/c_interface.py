@@ -5,7 +5,7 @@ import pathlib
 import re
 import subprocess
 import tempfile
-from typing import Any, Dict, List, NamedTuple, Optional, Set, Tuple, Union
+from typing import Any, Dict, Iterable, List, NamedTuple, Optional, Set, Tuple, Union
 
 import pycparser
 from pycparser import c_ast, c_generator
@@ -25,6 +25,20 @@ SCALARS = {
     "rc_surface_psd": "count",
     "rc_surface_unit": "metres",
     **dict.fromkeys(("rc_ranks_rows", "rc_mpi_rows", "rc_mpi_rows_f"), "first count"),
+}
+# Arguments that Fortran may leave out: NULL in C.
+OPTIONAL = {
+    "rc_version": "major minor patch abi",
+    **dict.fromkeys(("rc_stop_when", "rc_surface_stop_when"), "flag"),
+    "rc_context_create": "config",
+    "rc_conductance": "lower upper",
+    "rc_punch_stiffness": "lower upper",
+    "rc_law_pressure": "slope energy",
+    **dict.fromkeys(("rc_greedy", "rc_polonsky_keer", "rc_nnls", "rc_gp", "rc_admm"), "w result"),
+    "rc_cmr": "inner result",
+    "rc_surface_psd": "q psd modes",
+    "rc_surface_read": "spec",
+    "rc_surface_read_memory": "name spec",
 }
 
 
@@ -189,3 +203,22 @@ def layout(struct: Struct, known: Dict[str, Union[Struct, Function]], address: i
 
 def struct_size(struct: Struct, known: Dict[str, Union[Struct, Function]], address: int = 8) -> int:
     return layout(struct, known, address)[0]
+
+
+def grouped(pairs: Iterable[Tuple[Any, str]]) -> List[Tuple[Any, List[str]]]:
+    """[(key, [value, ...])] of [(key, value)], neighbours of one key together."""
+    groups: List[Tuple[Any, List[str]]] = []
+    for key, value in pairs:
+        if groups and groups[-1][0] == key:
+            groups[-1][1].append(value)
+        else:
+            groups.append((key, [value]))
+    return groups
+
+
+def alike(functions: Dict[str, Function]) -> List[List[str]]:
+    """[[name, ...]] of functions that have the same result and arguments, by the first of each."""
+    groups: Dict[str, List[str]] = {}
+    for name, function in functions.items():
+        groups.setdefault(repr((function, OPTIONAL.get(name), SCALARS.get(name))), []).append(name)
+    return list(groups.values())
