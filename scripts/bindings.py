@@ -154,7 +154,7 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
             fortran_functions(mpi),
         ),
         f"{python}/_constants.py": python_module(
-            "The constants of the headers, under their names there.", python_constants([contact, surface, formats, request])
+            "The constants of the headers, under their names there.", python_constants([contact, surface, formats, flow, request])
         ),
         f"{python}/_limits.py": python_module("Where an elastic answer stops making sense.", python_limits((ROOT / "tools/solve/elastic_limits.def").read_text())),
         f"{python}/_words.py": python_module("The words of request/words.def.", python_words(words)),
@@ -162,7 +162,7 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
         f"{python}/_status.py": python_module("How a call ended.", python_status(contact)),
         f"{python}/_structs.py": python_module(
             "The structs of the headers, member by member, with the values of the RC_..._INIT macros.",
-            "\n\n\n".join(map(python_structs, (contact, surface, formats, request, mpi))),
+            "\n\n\n".join(map(python_structs, (contact, surface, formats, flow, request, mpi))),
             after=["_c", "_constants"],
         ),
         f"{python}/_functions.py": python_module(
@@ -172,6 +172,7 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
                     "ContactFunctions": ("libroughcontact", contact, {**contact.functions, **added}),
                     "SurfaceFunctions": ("libroughcontact-surface", surface, surface.functions),
                     "FormatsFunctions": ("libroughcontact-formats", formats, formats.functions),
+                    "FlowFunctions": ("libroughcontact-flow", flow, flow.functions),
                     "RequestFunctions": ("libroughcontact-request", request, request.functions),
                     "MpiFunctions": ("libroughcontact-mpi", mpi, mpi.functions),
                 }

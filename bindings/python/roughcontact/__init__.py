@@ -40,6 +40,7 @@ from .analysis import Area as Area, Conductance as Conductance, Crossing as Cros
 from ._answers import load as load
 from ._batch import batch as batch
 from .contact import Contact as Contact
+from ._flow import FlowFactors as FlowFactors, Leak as Leak, flow as flow, flow_factors as flow_factors
 from ._derivatives import Gradient as Gradient, Tangent as Tangent
 from ._handle import Progress as Progress
 from .context import (

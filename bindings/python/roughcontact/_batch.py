@@ -130,7 +130,7 @@ def batch(
         setattr(struct, f"{name}_stride", _constants.RC_BATCH_SHARED if array is not None and array.ndim < most else 0)
 
     shared = masks if masks is not None and masks.ndim == axes else None
-    grid = Grid(system.shape, system.pitch, system.periodic, shared, system.modulus)
+    grid = Grid(system.shape, system.pitch, system.periodic, shared, system.modulus, system.hardness)
 
     bars = Bars()
 

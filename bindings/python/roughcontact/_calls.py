@@ -6,7 +6,7 @@ import threading
 from typing import Any, Callable, Dict, List, NamedTuple, Optional, Tuple, TypeVar, cast
 
 from ._errors import BusyError, Interrupted, error_for
-from ._library import contact_library, formats_library, surface_library
+from ._library import contact_library, flow_library, formats_library, surface_library
 from ._signals import AsCaller, block
 from ._status import Status
 from ._use import Use
@@ -42,6 +42,11 @@ def contact_calls() -> Library:
 def surface_calls() -> Library:
     library = surface_library()
     return Library(library.rc_surface_stop_when, lambda: str(library.rc_surface_last_error().decode(errors="replace")))
+
+
+def flow_calls() -> Library:
+    library = flow_library()
+    return Library(library.rc_flow_stop_when, lambda: str(library.rc_flow_last_error().decode(errors="replace")))
 
 
 F = TypeVar("F", bound=Callable[..., Any])

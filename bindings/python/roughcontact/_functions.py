@@ -136,6 +136,17 @@ class FormatsFunctions(Protocol):
     ]
 
 
+class FlowFunctions(Protocol):
+    """libroughcontact-flow"""
+
+    rc_flow_last_error: Callable[[], text]
+    rc_flow_stop_when: Callable[[statuses], None]
+    rc_flow_solve: Callable[[rc_flow_spec, rc_flow_result], rc_status]
+    rc_flow_of_result: Callable[[rc_system, handle, rc_result, rc_flow_spec, rc_flow_result], rc_status]
+    rc_flow_factors_find: Callable[[rc_flow_spec, rc_flow_factors], rc_status]
+    rc_flow_closing_pressure: Callable[[rc_system, handle, rc_step, rc_flow_spec, rc_flow_closing], rc_status]
+
+
 class RequestFunctions(Protocol):
     """libroughcontact-request"""
 

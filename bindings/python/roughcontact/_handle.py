@@ -112,7 +112,7 @@ class Handle(OwnsHandle):
     def grid(self) -> Grid:
         """Shape, pitch, mask and modulus of what was pressed last."""
         system = self.system
-        return Grid(system.shape, system.pitch, system.periodic, self._mask, system.modulus)
+        return Grid(system.shape, system.pitch, system.periodic, self._mask, system.modulus, system.hardness)
 
     @contextmanager
     def _pressing(self, undeformed_gap: Optional[Reals], mask: Optional[Mask]) -> Iterator[None]:

@@ -1,4 +1,4 @@
-"""Finds and loads libroughcontact, and libroughcontact-surface, -formats, -request and -mpi.
+"""Finds and loads libroughcontact, and libroughcontact-surface, -formats, -flow, -request and -mpi.
 
 libroughcontact, the first of these that exists:
   1. the file that the environment variable ROUGHCONTACT_LIBRARY names; nothing else is tried then
@@ -6,7 +6,7 @@ libroughcontact, the first of these that exists:
   3. the one that was installed with this package: library_folder.txt has its folder, relative to the package
   4. the system's, by its name alone, as the dynamic loader finds it
 The others are looked for beside libroughcontact, then by their name, when a function of them is first called: programs that
-only solve contacts load neither the GNU Scientific Library nor what files are read with.
+only solve contacts load neither the GNU Scientific Library, CHOLMOD nor what files are read with.
 """
 
 import ctypes
@@ -19,7 +19,7 @@ from typing import Any, Dict, List, Tuple, cast
 from ._c import prototypes
 from ._constants import RC_ABI
 from ._errors import LibraryNotFoundError
-from ._functions import ContactFunctions, FormatsFunctions, MpiFunctions, RequestFunctions, SurfaceFunctions
+from ._functions import ContactFunctions, FlowFunctions, FormatsFunctions, MpiFunctions, RequestFunctions, SurfaceFunctions
 
 VARIABLE = "ROUGHCONTACT_LIBRARY"
 
@@ -136,6 +136,11 @@ def surface_library() -> SurfaceFunctions:
 def formats_library() -> FormatsFunctions:
     """libroughcontact-formats."""
     return cast(FormatsFunctions, _beside("formats", FormatsFunctions))
+
+
+def flow_library() -> FlowFunctions:
+    """libroughcontact-flow."""
+    return cast(FlowFunctions, _beside("flow", FlowFunctions))
 
 
 def request_library() -> RequestFunctions:

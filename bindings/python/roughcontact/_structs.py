@@ -262,6 +262,31 @@ class rc_surface_resampling(Sized):
 
 
 @struct
+class rc_flow_spec(Sized):
+    members = """size_t struct_size; int32_t along=RC_FLOW_X sides; double viscosity pressure_drop width=0.01 memory;
+    int64_t nx ny; double hx hy; rc_const_array gap gap_error mask; double load; rc_array potential"""
+
+
+@struct
+class rc_flow_result(Sized):
+    members = """size_t struct_size; rc_status status=RC_ERR_ARGUMENT; int32_t crosses iterations reserved;
+    double flow lower upper constriction; int64_t constriction_x constriction_y;
+    double gap_error dropped seconds"""
+
+
+@struct
+class rc_flow_factors(Sized):
+    members = """size_t struct_size; rc_status status=RC_ERR_ARGUMENT; int32_t reserved;
+    double xx xy yy xx_lower xx_upper xy_lower xy_upper yy_lower yy_upper mean_gap seconds"""
+
+
+@struct
+class rc_flow_closing(Sized):
+    members = """size_t struct_size; rc_status status=RC_ERR_ARGUMENT; int32_t steps;
+    double lower upper area_fraction constriction seconds"""
+
+
+@struct
 class rc_word(Sized):
     members = "size_t struct_size; text name group form help choices example why_not; int32_t kind most calls reserved"
 

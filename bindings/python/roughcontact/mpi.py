@@ -218,7 +218,7 @@ class Contact(OwnsHandle):
         struct = given(rc_result(), p=pressure, gap=deformed)
         status = int(function(self._handle, step, struct))
         message = last_message() if status else ""
-        grid = Grid(self.shape, self.system.pitch, self.system.periodic, self._mask, self.system.modulus)
+        grid = Grid(self.shape, self.system.pitch, self.system.periodic, self._mask, self.system.modulus, self.system.hardness)
         answer = result_from(struct, message, grid, pressure, deformed) if status >= 0 else None
         conclude(status, message, None, answer, must_be_certified)
         assert answer is not None

@@ -12,10 +12,11 @@ a pointer to one. Shapes, units and who keeps what: see the headers.
 from typing import List
 
 from ._constants import *  # noqa: F401,F403
-from ._library import contact_library, formats_library, library_file, request_library, surface_library  # noqa: F401
+from ._library import contact_library, flow_library, formats_library, library_file  # noqa: F401
+from ._library import request_library, surface_library  # noqa: F401
 from ._structs import *  # noqa: F401,F403
 
-__all__ = ["contact_library", "surface_library", "formats_library", "request_library", "library_file"]
+__all__ = ["contact_library", "surface_library", "formats_library", "flow_library", "request_library", "library_file"]
 __all__ += [name for name in dir() if name.startswith(("rc_", "RC_"))]
 
 

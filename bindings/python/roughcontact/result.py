@@ -16,24 +16,28 @@ from ._brief import brief
 from ._c import members_for
 from ._device import on_host
 from ._errors import as_status
+from ._flow import Leak, leak_of
 from ._library import contact_library
 from ._measures import STEP_COLUMNS, UNKNOWN, Measures, measures_of
 from ._pictures import pressure_image
 from ._remarks import elastic_limit
 from ._status import Status
 from ._structs import rc_accuracy, rc_array, rc_level, rc_result
+from .context import Context, Options
+from .system import System
 
 
 @dataclass(frozen=True, repr=False)
 class Grid(Stored):
     """Where an answer lives: shape, (hx, hy) [length], whether it repeats (True, False, or along "x" or "y" only), the points
-    left out, and the half-space's E*."""
+    left out, the half-space's E*, and the hardness (None: none)."""
 
     shape: Shape
     pitch: Tuple[float, float]
     periodic: Union[bool, str] = False
     mask: Optional[Mask] = None
     modulus: Optional[float] = None
+    hardness: Optional[float] = None
 
     @property
     def area(self) -> float:
@@ -219,6 +223,31 @@ class Result(Answer):
         rho1, rho2: resistivities of the bodies, or reciprocals of their thermal conductivities
         """
         return analysis.conductance(self, rho1, rho2)
+
+    def leak(
+        self,
+        *,
+        viscosity: float,
+        pressure_drop: float,
+        along: str = "x",
+        sides: Optional[str] = None,
+        load: Optional[float] = None,
+        width: Optional[float] = None,
+        memory: Optional[float] = None,
+        want_potential: bool = False,
+        system: Optional[System] = None,
+        options: Options = None,
+        context: Optional[Context] = None,
+    ) -> Leak:
+        """How much fluid flows through the gap, with an interval that follows from `duality_gap`; needs want_gap=True.
+
+        load: that the step prescribed: the interval then holds at this load; None: at the returned approach
+        sides: as in `roughcontact.flow`; None: as the boundary repeats
+        system: of a result that is not of a `HalfSpace`; options, context: the contact's, for a kernel with options of its own
+        Others as in `roughcontact.flow`.
+        """
+        wanted = {"viscosity": viscosity, "pressure_drop": pressure_drop, "load": load, "width": width, "memory": memory}
+        return leak_of(self, want_potential, system, options, context, along=along, sides=sides, **wanted)
 
     def _grid(self) -> Dict[str, Any]:
         return {"pitch": self.grid.pitch, "periodic": self.grid.periodic, "mask": self.grid.mask}

@@ -48,9 +48,9 @@ assert importlib.metadata.version("roughcontact") == rc.__version__ == ".".join(
 names = {each.name: each.origin for each in rc.backends()}
 assert {"dense", "fft", "split"} <= names.keys(), names
 assert all(origin == "built-in" or origin.startswith(str(package)) for origin in names.values()), names
-rc.surface.noise((4, 4)), rc.formats()
+rc.surface.noise((4, 4)), rc.formats(), rc.flow([[1, 1]], pitch=1, viscosity=1, pressure_drop=1)
 with open("/proc/self/maps") as maps:
-    carried = {line.split()[-1] for line in maps if any(f"lib{name}" in line for name in ("fftw", "gsl", "zip", "pugixml"))}
+    carried = {line.split()[-1] for line in maps if any(f"lib{name}" in line for name in ("fftw", "gsl", "cholmod", "zip", "pugixml"))}
 assert carried and all(file.startswith(str(package.parent)) for file in carried), carried
 assert (package / "py.typed").exists() and not list(package.rglob("*.h")) and not list(package.rglob("*.a"))
 for file in package.rglob("*.so*"):
