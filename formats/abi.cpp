@@ -67,6 +67,15 @@ template <std::size_t size> void put(const std::string& text, char (&to)[size]) 
   std::fill(to + length, to + size, '\0');
 }
 
+// Whole numbers become lengths.
+void scale_heights(double range, Surface& surface) {
+  if (!(surface.full_scale > 0)) return;
+  if (range == 0)
+    throw Error(surface.file, ": the picture has whole numbers from 0 to ", surface.full_scale,
+                ", which are no lengths; give height_range, the height between these two");
+  for (double& z : surface.heights) z = range * (z / surface.full_scale);
+}
+
 // Reads by read(unit, format), and hands over.
 template <class Read> void read_into(const rc_surface_read_spec* given, rc_surface_file* out, const Read& read_file) {
   const rc_surface_read_spec defaults = RC_SURFACE_READ_SPEC_INIT;
@@ -75,9 +84,12 @@ template <class Read> void read_into(const rc_surface_read_spec* given, rc_surfa
   const BareUnit unit = bare_unit("unit", spec.unit ? std::optional<std::string>(spec.unit) : std::nullopt);
   const bool has_pitch = spec.hx != 0 || spec.hy != 0;
   if (has_pitch) check_pitch(spec.hx, spec.hy);
+  if (!(spec.height_range >= 0) || !std::isfinite(spec.height_range))
+    fail(RC_ERR_ARGUMENT, "height_range = ", spec.height_range, " must be positive and finite");
 
   Surface surface = read_file(unit, spec.format ? std::optional<std::string>(spec.format) : std::optional<std::string>());
   check_units(unit, {&surface});
+  scale_heights(unit.metres * spec.height_range, surface);
   if (has_pitch) refuse_another_pitch("hx, hy", unit.metres * spec.hx, unit.metres * spec.hy, surface);
   rc_surface_file file = RC_SURFACE_FILE_INIT;
   file.nx = surface.nx;
@@ -87,6 +99,7 @@ template <class Read> void read_into(const rc_surface_read_spec* given, rc_surfa
   file.missing = count_missing(surface);
   file.periodic = surface.periodic ? *surface.periodic : -1;
   put(surface.format, file.format);
+  file.full_scale = surface.full_scale;
   file.unit_assumed = !unit.given && !bare_lengths(surface).empty();
   put(assumptions(surface, unit, has_pitch), file.assumed);
   auto heights = std::make_unique<std::vector<double>>(std::move(surface.heights));

@@ -23,6 +23,10 @@ Surface read_gsf(std::string_view file, const BareUnit& unit);
 #ifdef RC_READ_HDF5
 Surface read_hdf5(std::string_view file, const BareUnit& unit);
 #endif
+#ifdef RC_READ_PICTURES
+Surface read_png(std::string_view file, const BareUnit& unit);
+Surface read_tiff(std::string_view file, const BareUnit& unit);
+#endif
 Surface read_netcdf(std::string_view file, const BareUnit& unit);
 Surface read_npy(std::string_view file, const BareUnit& unit);
 Surface read_plu(std::string_view file, const BareUnit& unit);

@@ -24,9 +24,17 @@ constexpr char iso_binary[] = "bISO-1.0", bcr_binary[] = "bBCR-1.0";
 #ifdef RC_READ_HDF5
 constexpr char hdf5_magic[] = "\x89HDF";
 #endif
+#ifdef RC_READ_PICTURES
+constexpr char png_magic[] = "\x89PNG";
+#endif
 constexpr char netcdf_classic[] = "CDF\1", netcdf_offsets[] = "CDF\2", netcdf_sizes[] = "CDF\5";
 
 bool is_gsf(std::string_view file) { return file.starts_with(gsf_magic); }
+#ifdef RC_READ_PICTURES
+bool is_tiff(std::string_view file) {
+  return file.starts_with(std::string_view("II*\0", 4)) || file.starts_with(std::string_view("MM\0*", 4));
+}
+#endif
 bool is_npy(std::string_view file) { return file.starts_with(npy_magic); }
 
 constexpr Format formats[] = {
@@ -44,6 +52,10 @@ constexpr Format formats[] = {
     {"container", "zip archive of contact.engineering", ".zip", zip_has_netcdf, "pitch and mostly unit", read_container},
 #ifdef RC_READ_HDF5
     {"hdf5", "HDF5 with a data set surface", ".h5 .hdf5", begins_with<hdf5_magic>, "nothing", read_hdf5},
+#endif
+#ifdef RC_READ_PICTURES
+    {"tiff", "TIFF, one grey channel", ".tif .tiff", is_tiff, "nothing", read_tiff},
+    {"png", "PNG, one grey channel", ".png", begins_with<png_magic>, "nothing", read_png},
 #endif
 };
 
@@ -68,10 +80,10 @@ constexpr Foreign foreign_formats[] = {
     {"GWYO", "file of Gwyddion (.gwy)"},
     {"\x89HDF", "HDF5 file (NetCDF-4 among them, which \"nccopy -k cdf5\" converts)"},
     {"MATLAB 5.0", "file of MATLAB (.mat)"},
-    {"\x89PNG", "picture (PNG), which has no heights"},
+    {"\x89PNG", "picture (PNG), which builds with RC_READ_PICTURES read"},
     {"\xff\xd8\xff", "picture (JPEG), which has no heights"},
-    {{"II*\0", 4}, "picture (TIFF)"},
-    {{"MM\0*", 4}, "picture (TIFF)"},
+    {{"II*\0", 4}, "picture (TIFF), which builds with RC_READ_PICTURES read"},
+    {{"MM\0*", 4}, "picture (TIFF), which builds with RC_READ_PICTURES read"},
     {"\x1f\x8b", "file packed by gzip: unpack it first"},
 };
 

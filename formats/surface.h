@@ -21,6 +21,7 @@ struct Surface {
   std::int64_t nx = 0, ny = 0;
   std::optional<double> hx, hy;  // pitch along x and y; nothing if the file does not say
   std::vector<double> heights;   // NaN: missing
+  double full_scale = 0;         // the value of heights without a scale that stands for the height range; 0: they have one
   std::optional<bool> periodic;  // whether the surface repeats; nothing if the file does not say
   // The lengths that were read: "heights", "pitch", or both as "lengths"; the unit that the file names for them, "" if none;
   // metres.

@@ -20,37 +20,48 @@ struct File : rc_surface_file {
   File& operator=(const File&) = delete;
 };
 
-rc_status read_as(const char* path, const rc_map* memory, const char* format, const char* unit, File& file) {
+struct Reading {
+  const char* path;  // null: from memory
+  const rc_map* memory;
+  const char* format;
+  double height_range;  // [m]
+};
+
+// unit: of lengths for which the file names none; null: m.
+rc_status read_in(const Reading& how, const BareUnit& unit, File& file) {
   rc_surface_read_spec spec = RC_SURFACE_READ_SPEC_INIT;
-  spec.format = format;
-  spec.unit = unit;
+  spec.format = how.format;
+  spec.unit = unit.name;
+  spec.height_range = how.height_range / unit.metres;
   rc_surface_file_free(&file);
-  return path ? rc_surface_read(path, &spec, &file)
-              : rc_surface_read_memory(memory->contents, memory->size, memory->name, &spec, &file);
+  return how.path ? rc_surface_read(how.path, &spec, &file)
+                  : rc_surface_read_memory(how.memory->contents, how.memory->size, how.memory->name, &spec, &file);
 }
 
-// The fault of the file, without the function's name.
+// The fault of the file, without the function's name and in the caller's words.
 std::string file_error(const Words& words) {
-  constexpr std::string_view format = "format: ";
+  constexpr std::string_view format = "format: ", give_range = "; give height_range";
   std::string_view message = rc_surface_read_last_error();
   message.remove_prefix(message.find(": ") + 2);
+  if (const auto place = message.rfind(give_range); place != message.npos)
+    return join(message.substr(0, place), "; give ", words.spelt("height-range"), message.substr(place + give_range.size()));
   if (!message.starts_with(format)) return std::string(message);
   return join(words.spelt("format"), ": ", message.substr(format.size()));
 }
 
-Map map_of_file(const char* path, const rc_map* memory, const char* format, const BareUnit& unit, const Words& words) {
+Map map_of_file(const Reading& how, const BareUnit& unit, const Words& words) {
   File file;
-  rc_status status = read_as(path, memory, format, nullptr, file);
+  rc_status status = read_in(how, {}, file);
   // A file that names its units is read without the one that was given, which is perhaps that of another map.
   const bool bare = status == RC_OK ? file.unit_assumed == 1 : unit.name != nullptr;
   Map map;
-  if (bare && unit.name) status = read_as(path, memory, format, unit.name, file);
+  if (bare && unit.name) status = read_in(how, unit, file);
   if (status != RC_OK) fail(status, file_error(words));
   if (!bare && unit.name) {
     File again;
-    if (read_as(path, memory, format, unit.name, again) != RC_OK) map.contradiction = file_error(words);
+    if (read_in(how, unit, again) != RC_OK) map.contradiction = file_error(words);
   }
-  map.name = path ? path : memory->name ? memory->name : "the file";
+  map.name = how.path ? how.path : how.memory->name ? how.memory->name : "the file";
   map.of_file = true;
   map.nx = file.nx;
   map.ny = file.ny;
@@ -61,7 +72,13 @@ Map map_of_file(const char* path, const rc_map* memory, const char* format, cons
   map.periodic = file.periodic;
   map.format = file.format;
   map.has_unit = !bare;
+  map.scaled = file.full_scale > 0;
   map.note = file.assumed;
+  if (how.memory && how.memory->mask) {
+    if (how.memory->nx != map.nx || how.memory->ny != map.ny)
+      fail(RC_ERR_SHAPE, map.name, " has ", map.nx, " x ", map.ny, " points, its mask ", how.memory->nx, " x ", how.memory->ny);
+    map.mask = how.memory->mask;
+  }
   return map;
 }
 
@@ -146,7 +163,8 @@ const rc_map* map_of(const rc_request_spec& spec, std::string_view word) {
   return nullptr;
 }
 
-std::optional<Map> load_map(const rc_request_spec& spec, const Words& words, std::string_view word, const BareUnit& unit) {
+std::optional<Map> load_map(const rc_request_spec& spec, const Words& words, std::string_view word, const BareUnit& unit,
+                            double height_range) {
   const Given* const given = words.find(word);
   const rc_map* const memory = map_of(spec, word);
   if (!given && !memory) return std::nullopt;
@@ -154,7 +172,7 @@ std::optional<Map> load_map(const rc_request_spec& spec, const Words& words, std
   std::optional<Map> map;
   const Given* const format = word == "surface" ? words.find("format") : nullptr;
   if (given || memory->contents) {
-    map = map_of_file(given ? given->text : nullptr, memory, format ? format->text : nullptr, unit, words);
+    map = map_of_file({given ? given->text : nullptr, memory, format ? format->text : nullptr, height_range}, unit, words);
     map->bare = take_bare_lengths(map->note);
   } else {
     map = map_in_memory(*memory, words, word, unit);

@@ -35,6 +35,7 @@ struct Map {
   std::string contradiction;  // of the unit that was given and that of the file; "": none
   bool of_file = false;       // its name is that of a file
   bool rounded = false;       // hx and hy are
+  bool scaled = false;        // its heights are by the height range
 
   std::size_t points() const { return static_cast<std::size_t>(nx * ny * maps); }
   // Its heights, to be changed.
@@ -43,8 +44,9 @@ struct Map {
 
 const rc_map* map_of(const rc_request_spec& spec, std::string_view word);
 
-// The map that a word names; nothing if it was not given.
-std::optional<Map> load_map(const rc_request_spec& spec, const Words& words, std::string_view word, const BareUnit& unit);
+// The map that a word names; nothing if it was not given. height_range: of pictures [m], 0: not given.
+std::optional<Map> load_map(const rc_request_spec& spec, const Words& words, std::string_view word, const BareUnit& unit,
+                            double height_range);
 
 // Refuses a unit that was given where all files name others for all their lengths. other: null if there is none.
 void check_unit(const Map& surface, const Map* other);

@@ -148,6 +148,16 @@ void add_other(const Words& words, const Units& units, std::string_view word, Ma
   for (std::size_t i = 0; i < z.size(); ++i) z[i] += other.z[i % (static_cast<std::size_t>(other.nx * other.ny))];
 }
 
+// Of pictures [m]; 0: not given.
+double height_range(const Words& words, Units& units) {
+  const Given* const given = words.find("height-range");
+  if (!given) return 0;
+  const Quantity range = words.positive(*given, Dimension::length, units.bare.metres);
+  units.see({range});
+  if (range.bare) units.add(words.spelt("height-range"));
+  return range.si();
+}
+
 // Whether it has a length without a unit.
 bool name_shape(const Words& words, Units& units, rc_request& request) {
   const Given* const given = words.find("shape");
@@ -173,15 +183,19 @@ void set_surface(const rc_request_spec& spec, const Words& words, Units& units, 
   rc_system& system = request.view.system;
   const bool bare_shape = name_shape(words, units, request), of_gap = map_of(spec, "gap") != nullptr;
   const std::string_view word = of_gap ? "gap" : "surface";
-  for (const char* const change : {"crop", "despike", "remove", "against", "mirror", "shift", "resample", "shape", "format"})
+  for (const char* const change :
+       {"crop", "despike", "remove", "against", "mirror", "shift", "resample", "shape", "format", "height-range"})
     if (of_gap && (words.find(change) || map_of(spec, change)))
       throw Error(words.spelt(change), " changes heights, but ", words.spelt("gap"), " is given");
-  std::optional<Map> loaded = load_map(spec, words, word, units.bare);
+  const double range = height_range(words, units);
+  std::optional<Map> loaded = load_map(spec, words, word, units.bare, range);
   if (!loaded && spec.system) return;  // a step on the surface of the step before
   if (!loaded) throw Error(words.spelt("surface"), " is missing");
   Map& map = request.maps.emplace_back(std::move(*loaded));
-  std::optional<Map> other = load_map(spec, words, "against", units.bare), shaped;
-  if (map_of(spec, "shape")) shaped = load_map(spec, words, "shape", units.bare);
+  std::optional<Map> other = load_map(spec, words, "against", units.bare, range), shaped;
+  if (map_of(spec, "shape")) shaped = load_map(spec, words, "shape", units.bare, range);
+  if (range > 0 && !map.scaled && !(other && other->scaled) && !(shaped && shaped->scaled))
+    throw Error(words.spelt("height-range"), " is of TIFF and PNG of whole numbers, and ", map.name, " has heights");
   for (Map* const each : {&map, other ? &*other : nullptr}) {
     if (!each) continue;
     if (!each->note.empty()) request.remarks.push_back({RC_REMARK_FILE, RC_FACT, "", each->note});

@@ -78,7 +78,9 @@ std::string option_key(const Spelling& spelling, const std::string& name, rc_con
 std::span<const Word> all_words() { return table; }
 
 const Word* find_word(std::string_view name) {
-  const auto found = std::ranges::find(table, name, &Word::name);
+  const auto letter = [](char c) { return c == '-' ? '_' : c; };
+  const auto found = std::ranges::find_if(
+      table, [&](const Word& word) { return std::ranges::equal(word.name, name, std::ranges::equal_to{}, letter, letter); });
   return found == std::end(table) ? nullptr : found;
 }
 
@@ -112,7 +114,7 @@ Words::Words(const rc_request_spec& spec) : spelling{spec.spelling}, call(spec.c
     if (!each.word || each.n < 0 || (!each.text && !(each.numbers && each.n > 0)))
       fail(RC_ERR_ARGUMENT, "rc_given: word ", k, " has ", each.word ? "no value" : "no name");
     Given given{each.word, find_word(each.word), each.text, {}};
-    if (!given.word) given.name = option_key(spelling, given.name, spec.context);
+    given.name = given.word ? std::string(given.word->name) : option_key(spelling, given.name, spec.context);
     if (!each.text) given.numbers = {each.numbers, static_cast<std::size_t>(each.n)};
     given_.push_back(std::move(given));
   }

@@ -17,8 +17,8 @@ LICENCES = {'libamd': 'BSD-3-Clause', 'libblas': 'BSD-3-Clause', 'libbz2-': 'bzi
             'libccolamd': 'BSD-3-Clause', 'libcholmod': 'LGPL-2.1-or-later AND GPL-2.0-or-later', 'libcli11-dev': 'BSD-3-Clause',
             'libcolamd': 'BSD-3-Clause', 'libeigen3-dev': 'MPL-2.0', 'libfftw3-': 'GPL-2.0-or-later', 'libgcc-s1': GCC, 'libgfortran': GCC,
             'libgomp': GCC, 'libgsl': 'GPL-3.0-or-later', 'libhdf5-': 'BSD-3-Clause', 'liblapack': 'BSD-3-Clause', 'libmetis': 'Apache-2.0',
-            'libmpich': 'mpich2', 'libnetcdf': 'NetCDF', 'libopenblas': 'BSD-3-Clause', 'libopenmpi': 'BSD-3-Clause', 'libpugixml': 'MIT',
-            'libquadmath': 'LGPL-2.1-or-later', 'libssl': 'Apache-2.0', 'libstdc++': GCC, 'libsuitesparseconfig': 'BSD-3-Clause',
+            'libmpich': 'mpich2', 'libnetcdf': 'NetCDF', 'libopenblas': 'BSD-3-Clause', 'libopenmpi': 'BSD-3-Clause', 'libpng': 'libpng-2.0', 'libpugixml': 'MIT',
+            'libquadmath': 'LGPL-2.1-or-later', 'libssl': 'Apache-2.0', 'libstdc++': GCC, 'libsuitesparseconfig': 'BSD-3-Clause', 'libtiff': 'libtiff',
             'libzip': 'BSD-3-Clause', 'nlohmann-json3-dev': 'MIT', 'python3-numpy': 'BSD-3-Clause', 'python3': 'PSF-2.0', 'zlib1g': 'Zlib'}
 OURS = {r'-backend-|-flow': 'GPL-2.0-or-later', r'-surface|-tools': 'GPL-3.0-or-later',
         r'-dev_|\.whl$': 'BSD-3-Clause AND GPL-2.0-or-later AND GPL-3.0-or-later', '-site': 'BSD-3-Clause',

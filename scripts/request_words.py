@@ -27,7 +27,7 @@ def python_words(table: str) -> str:
         pair = f'    "{name.replace("-", "_")}": ("{form}", "{text}"),'
         texts = textwrap.wrap(text, 110, drop_whitespace=False)
         pieces = [f'        "{line}"' for line in texts]
-        lines += [pair] if len(pair) <= 128 else [f'    "{name}": (', f'        "{form}",', *pieces[:-1], pieces[-1] + ",", "    ),"]
+        lines += [pair] if len(pair) <= 128 else [f'    "{name.replace("-", "_")}": (', f'        "{form}",', *pieces[:-1], pieces[-1] + ",", "    ),"]
     return "\n".join(["#: {word: (form of its value, meaning)}", "HELP = {", *lines, "}"])
 
 

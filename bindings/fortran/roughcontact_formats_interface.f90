@@ -10,13 +10,13 @@ module roughcontact_formats_interface
   integer(c_int32_t), parameter :: RC_SURFACE_LINEAR = 1, RC_SURFACE_CUBIC = 2
 
   type, bind(c) :: rc_surface_read_spec
-    integer(c_size_t) :: struct_size = merge(40, 28, c_intptr_t == 8)
+    integer(c_size_t) :: struct_size = merge(48, 36, c_intptr_t == 8)
     type(c_ptr) :: format = c_null_ptr, unit = c_null_ptr  ! const char *
-    real(c_double) :: hx = 0, hy = 0
+    real(c_double) :: hx = 0, hy = 0, height_range = 0
   end type
 
   type, bind(c) :: rc_surface_file
-    integer(c_size_t) :: struct_size = merge(504, 492, c_intptr_t == 8)
+    integer(c_size_t) :: struct_size = merge(512, 500, c_intptr_t == 8)
     integer(c_int64_t) :: nx = 0, ny = 0
     real(c_double) :: hx = 0, hy = 0
     type(c_ptr) :: heights = c_null_ptr  ! double *
@@ -24,6 +24,7 @@ module roughcontact_formats_interface
     integer(c_int32_t) :: periodic = -1, unit_assumed = 0
     character(kind=c_char) :: format(32) = c_null_char, assumed(400) = c_null_char
     type(c_ptr) :: storage = c_null_ptr  ! void *
+    real(c_double) :: full_scale = 0
   end type
 
   type, bind(c) :: rc_surface_format

@@ -8,18 +8,24 @@
 
 static void refuse(const char* text) { mexErrMsgIdAndTxt("roughcontact:RC_ERR_ARGUMENT", "rc_surface_read: %s", text); }
 
-/* Fields of opts: pitch, unit, format. Texts are MEX's, freed when the function ends. */
+/* Fields of opts: pitch, height_range, unit, format. Texts are MEX's, freed when the function ends. */
 static void set_field(rc_surface_read_spec* spec, const char* field, const mxArray* value) {
-  if (!strcmp(field, "pitch")) {
+  if (!strcmp(field, "pitch") || !strcmp(field, "height_range")) {
     const size_t count = value ? mxGetNumberOfElements(value) : 0;
     if (count < 1 || count > 2 || !mxIsDouble(value) || mxIsComplex(value) || mxIsSparse(value))
-      refuse("opts.pitch must be a number or [hx, hy]");
+      refuse("opts.pitch must be a number or [hx, hy], opts.height_range a number");
+    if (*field == 'h') {
+      spec->height_range = mxGetPr(value)[0];
+      return;
+    }
     spec->hx = mxGetPr(value)[0];
     spec->hy = mxGetPr(value)[count - 1];
     return;
   }
   const char** text = !strcmp(field, "unit") ? &spec->unit : !strcmp(field, "format") ? &spec->format : NULL;
-  if (!text) mexErrMsgIdAndTxt("roughcontact:RC_ERR_ARGUMENT", "rc_surface_read: opts.%s is not pitch, unit or format", field);
+  if (!text)
+    mexErrMsgIdAndTxt("roughcontact:RC_ERR_ARGUMENT", "rc_surface_read: opts.%s is not pitch, height_range, unit or format",
+                      field);
   if (!value || !mxIsChar(value))
     mexErrMsgIdAndTxt("roughcontact:RC_ERR_ARGUMENT", "rc_surface_read: opts.%s must be a text", field);
   *text = mxArrayToString(value);

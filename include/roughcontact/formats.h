@@ -33,9 +33,11 @@ RC_API const char *rc_surface_read_last_error(void);
 typedef struct rc_surface_read_spec {
   size_t struct_size;  /* sizeof(rc_surface_read_spec)                                                       */
   const char *format;  /* name of a format; NULL: by the contents, else by the suffix of the file's name     */
-  const char *unit;    /* of lengths whose unit the file does not name, and of hx and hy, as rc_surface_unit knows it;
-                          NULL: "m". If the file names the units of all its lengths, it must be theirs       */
+  const char *unit;    /* of lengths whose unit the file does not name, of hx, hy and height_range, as rc_surface_unit knows
+                          it; NULL: "m". If the file names the units of all its lengths, it must be theirs       */
   double hx, hy;       /* pitch of a file that has none; a file's own must be the same to 1e-6. Both 0: the file's    */
+  double height_range; /* between the values 0 and full_scale of a picture of whole numbers, in `unit`; other files ignore it.
+                          0: not given, and such pictures are refused                                        */
 } rc_surface_read_spec;
 #define RC_SURFACE_READ_SPEC_INIT RC_BEGIN(rc_surface_read_spec)
 
@@ -51,9 +53,10 @@ typedef struct rc_surface_file {
   char format[32];     /* name of the format that was recognised                                             */
   char assumed[400];   /* assumptions about what the file leaves open, one sentence after the other; "" if none       */
   void *storage;       /* the library's own                                                                 */
+  double full_scale;   /* the largest value of a picture of whole numbers: 255, 65535; 0: heights have a scale       */
 } rc_surface_file;
 #define RC_SURFACE_FILE_INIT \
-  { sizeof(rc_surface_file), 0, 0, 0.0, 0.0, NULL, 0, -1, 0, "", "", NULL }
+  { sizeof(rc_surface_file), 0, 0, 0.0, 0.0, NULL, 0, -1, 0, "", "", NULL, 0.0 }
 
 /** Reads the first map of a file. spec: NULL is RC_SURFACE_READ_SPEC_INIT. *out is overwritten, and its earlier memory is not
  *  freed. Errors: ARGUMENT (also a file that cannot be opened, is damaged or of no known format; a unit that is no

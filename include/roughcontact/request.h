@@ -86,7 +86,7 @@ typedef struct rc_map {
   const char *word;      /* "surface", "against", "shape", or "gap": undeformed gaps                                 */
   const double *heights; /* [maps*ny*nx], NaN: missing. NULL: the caller has them, and asks for the rest             */
   const uint8_t *mask;   /* [maps*ny*nx], 0: the point carries no pressure, whatever its height; NULL: none          */
-  int64_t nx, ny;
+  int64_t nx, ny;        /* of contents those of the mask, if there is one                                           */
   int64_t maps;          /* surfaces on one grid, of a batch; 0 counts as 1                                          */
   double hx, hy;         /* pitch; each 0: by the word pitch                                                         */
   const char *unit;      /* of heights and hx, hy; NULL: not known                                                   */

@@ -21,12 +21,15 @@ class Roughcontact(CMakePackage):
     variant("mpi", default=False, description="Contacts shared by ranks of MPI")
     variant("cuda", default=False, description="Backend for CUDA devices")
     variant("hdf5", default=False, description="Surface files in HDF5")
+    variant("pictures", default=False, description="Heights in TIFF and PNG")
 
     depends_on("c", type="build")
     depends_on("cxx", type="build")
     depends_on("mpi", when="+mpi")
     depends_on("cuda", when="+cuda")
     depends_on("hdf5", when="+hdf5")
+    depends_on("libtiff@4.5:", when="+pictures")
+    depends_on("libpng", when="+pictures")
     depends_on("cmake@3.22:", type="build")
     depends_on("pkgconfig", type="build")
     depends_on("eigen@3.4:", type="build")
@@ -51,6 +54,7 @@ class Roughcontact(CMakePackage):
             self.define_from_variant("RC_BUILD_MPI", "mpi"),
             self.define_from_variant("RC_CUDA", "cuda"),
             self.define_from_variant("RC_READ_HDF5", "hdf5"),
+            self.define_from_variant("RC_READ_PICTURES", "pictures"),
             self.define("RC_BUILD_TESTS", False),
             self.define("RC_BUILD_BENCH", False),
             self.define("RC_BUILD_EXAMPLES", False),

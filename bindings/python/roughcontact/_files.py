@@ -47,19 +47,27 @@ def formats() -> List[Format]:
 
 
 @short_traceback
-def read(file: File, *, pitch: Optional[Pitch] = None, unit: Optional[str] = None, format: Optional[str] = None) -> Surface:
+def read(
+    file: File,
+    *,
+    pitch: Optional[Pitch] = None,
+    unit: Optional[str] = None,
+    format: Optional[str] = None,
+    height_range: float = 0.0,
+) -> Surface:
     """A surface from a file; heights and pitch in metres, NaN where a point is missing.
 
     file: a path, an open binary file, or the bytes of one
     pitch: one number or (hx, hy) [unit]; needed if the file has none, otherwise equal to the file's
     unit: of lengths whose unit the file does not name, and of pitch: "um"; None: "m", with an `AssumedUnit` warning if the file
         leaves a unit open
+    height_range: height between 0 and the largest value of a picture of whole numbers (TIFF, PNG) [unit]; other files ignore it
     format: one of `formats()`, or one of the package SurfaceTopography ("opd"); None: by the contents, else by the suffix
 
     `assumed` of the surface lists what the file leaves open. A file whose suffix or format is none of `formats()` is read by the
     package SurfaceTopography if it is installed; `assumed` then says so as well.
     """
-    return surface_in(file, pitch, unit, format)
+    return surface_in(file, pitch, unit, format, height_range=height_range)
 
 
 def surface_in(
@@ -68,9 +76,10 @@ def surface_in(
     unit: Optional[str] = None,
     format: Optional[str] = None,
     otherwise: Optional[Pitch] = None,
+    height_range: float = 0.0,
 ) -> Surface:
     """`read`, with a pitch in metres for files that do not say theirs."""
-    found, assumes_metres = surface_and_doubt(file, pitch, unit, format, otherwise)
+    found, assumes_metres = surface_and_doubt(file, pitch, unit, format, otherwise, height_range)
     if assumes_metres:
         warn(
             f"{name_of(file) or 'the file'} does not name the unit of all its lengths: m is taken; pass unit='m' if that is right, "
@@ -102,10 +111,15 @@ def contents_of(file: File) -> bytes:
 
 
 def surface_and_doubt(
-    file: File, pitch: Optional[Pitch], unit: Optional[str], format: Optional[str], otherwise: Optional[Pitch]
+    file: File,
+    pitch: Optional[Pitch],
+    unit: Optional[str],
+    format: Optional[str],
+    otherwise: Optional[Pitch],
+    height_range: float,
 ) -> Tuple[Surface, bool]:
     """The surface, and whether metres are assumed for some of its lengths."""
-    spec = given(rc_surface_read_spec(), format=_text(format, "format"), unit=_text(unit, "unit"))
+    spec = given(rc_surface_read_spec(), format=_text(format, "format"), unit=_text(unit, "unit"), height_range=height_range)
     if pitch is not None:
         spec.hx, spec.hy = as_pitch(pitch)
     library, out = formats_library(), rc_surface_file()

@@ -62,7 +62,7 @@ def _blank(word: str) -> rc_map:
     return struct
 
 
-def _file_map(thing: Any, word: str) -> Map:
+def _file_map(thing: Any, word: str, mask: Any) -> Map:
     struct, contents = _blank(word), contents_of(thing)
     name = os.fsencode(name_of(thing))
     struct.contents, struct.size, struct.name = (
@@ -70,7 +70,10 @@ def _file_map(thing: Any, word: str) -> Map:
         len(contents),
         name or None,
     )
-    return Map(struct, None, (contents, name))
+    points = None if mask is None else as_mask(mask, "mask", np.shape(mask))
+    if points is not None:
+        struct.mask, (struct.nx, struct.ny) = pointer(points), columns_and_rows(points.shape)
+    return Map(struct, None, (contents, name, points))
 
 
 def _described(thing: Any, mask: Any, pitch: Any) -> Tuple[Any, Any, Described, bool]:
@@ -288,7 +291,7 @@ def _retried(
     def maps() -> List[Map]:
         return [
             (
-                _file_map(thing, word)
+                _file_map(thing, word, own[word])
                 if word != "gap" and is_file(thing)
                 else map_of(thing, word, own[word], pitch, leading if word in ("surface", "gap") else 0)
             )
@@ -330,10 +333,6 @@ def pressed(
         thing = words.get(word)
         if thing is not None and (word == "against" or not isinstance(thing, str)):
             things[word] = words.pop(word)
-    if mask is not None and heights is not None and is_file(heights):
-        heights = things["surface"] = surface_in(
-            heights, words.pop("pitch", None), words.pop("unit", None), words.pop("format", None)
-        )
     request, maps = _retried(call, words, things, mask, system, leading, spelling)
     for remark in request.remarks():
         if remark.code in WARNINGS and spelling == _constants.RC_SPELLING_KEYWORD:

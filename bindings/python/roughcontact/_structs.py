@@ -240,13 +240,13 @@ class rc_surface_cmr(Sized):
 
 @struct
 class rc_surface_read_spec(Sized):
-    members = "size_t struct_size; text format unit; double hx hy"
+    members = "size_t struct_size; text format unit; double hx hy height_range"
 
 
 @struct
 class rc_surface_file(Sized):
     members = """size_t struct_size; int64_t nx ny; double hx hy; doubles heights; int64_t missing;
-    int32_t periodic=-1 unit_assumed; char*32 format; char*400 assumed; handle storage"""
+    int32_t periodic=-1 unit_assumed; char*32 format; char*400 assumed; handle storage; double full_scale"""
 
 
 @struct

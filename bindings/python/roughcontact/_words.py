@@ -6,6 +6,7 @@ Written by scripts/bindings.py.
 #: {word: (form of its value, meaning)}
 HELP = {
     "format": ("NAME", "File format, if neither contents nor extension shows it"),
+    "height_range": ("LENGTH", "Height between 0 and the largest value of a TIFF or PNG of whole numbers"),
     "pitch": ("H or HX,HY", "Cell size of a map that has none"),
     "unit": ("UNIT", "Unit of lengths without a unit, among the words and in files: m (default), mm, um, nm, A"),
     "missing": ("RULE", "Missing points: reject (default), fill (interpolate) or exclude (from contact)"),

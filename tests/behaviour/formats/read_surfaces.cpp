@@ -1,7 +1,7 @@
-// read_surfaces [--heights FILE] [--unit U] [--format NAME] [--remove FORM] [--fill] SURFACE...: reads surface files by the
-// library, from their path and from memory, and prints one line for each, "ok FORMAT NX NY HX HY MISSING RMS ASSUMED" or "error
-// MESSAGE". --heights writes those of the last as raw doubles. A crash ends it, so that many damaged files can be tried in one
-// process.
+// read_surfaces [--heights FILE] [--unit U] [--height-range H] [--format NAME] [--remove FORM] [--fill] SURFACE...: reads surface
+// files by the library, from their path and from memory, and prints one line for each, "ok FORMAT NX NY HX HY MISSING RMS
+// ASSUMED" or "error MESSAGE". --heights writes those of the last as raw doubles. A crash ends it, so that many damaged files can
+// be tried in one process.
 #ifdef RC_READ_HDF5
 #include <hdf5.h>
 #endif
@@ -114,6 +114,8 @@ int main(int argc, char** argv) {
     const std::string_view word = argv[i];
     if (word == "--unit") {
       settings.spec.unit = argv[++i];
+    } else if (word == "--height-range") {
+      settings.spec.height_range = std::atof(argv[++i]);
     } else if (word == "--format") {
       settings.spec.format = argv[++i];
     } else if (word == "--heights") {

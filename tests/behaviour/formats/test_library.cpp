@@ -100,7 +100,7 @@ void refuses_arguments(void**) {
   require_error(rc_surface_read("/", nullptr, &file), RC_ERR_ARGUMENT, "is a folder");
   require_error(rc_surface_read(support::device, nullptr, &file), RC_ERR_ARGUMENT, support::device_refused);
   refuses("", nullptr, good, "the file: unknown format");
-  refuses("1 2\n", "a.png", good, "a.png: unknown format");
+  refuses("1 2\n", "a.jpeg", good, "a.jpeg: unknown format");
   refuses("1 2\n3\n", "a.txt", good, "row 2 has 1 values");
   const auto changed = [&good](auto change) {
     rc_surface_read_spec spec = good;

@@ -326,7 +326,7 @@ class Command(ReaderTest):
         done = self.run_command("formats")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         names = [line.split()[0] for line in done.stdout.splitlines()]
-        self.assertEqual(names, ["name", "gsf", "npy", "text", "xyz", "x3p", "sur", "sdf", "plu", "nc", "container"] + ["hdf5"] * ("hdf5" in names))  # a matter of the build
+        self.assertEqual(names, ["name", "gsf", "npy", "text", "xyz", "x3p", "sur", "sdf", "plu", "nc", "container"] + [name for name in ("hdf5", "tiff", "png") if name in names])  # a matter of the build
 
     def test_format_option_and_its_errors(self):
         press = ["--modulus", "1e9", "--approach", "1e-9"]

@@ -48,11 +48,12 @@ class Headers(ReaderTest):
 
     def test_files_of_other_programs_are_named(self):
         for begin, says in ((b"\x88\x1b\x03\x6f", "MetroPro"), (b"\x88\x1b\x03\x70", "MetroPro"), (b"Wyko ASCII Data File Format 0\t0\t1\nX Size\t2\n", "Wyko ASCII"),
-                            (b"\x01\x00Directory", "Wyko OPD"), (b"\\*File list\r\n", "NanoScope"), (b"\x89PNG", "PNG"), (b"\x1f\x8b", "gzip")):
+                            (b"\x01\x00Directory", "Wyko OPD"), (b"\\*File list\r\n", "NanoScope"), (b"\x1f\x8b", "gzip")):
             for suffix in ("dat", "asc", "txt", "opd"):
                 self.assert_refused("a." + suffix, begin + bytes(64), ["the file is a ", says, "SurfaceTopography"])
         for suffix in ("dat", "h5"):  # builds with a reader of such files say that it is damaged
-            self.assert_refused("a." + suffix, b"\x89HDF\r\n\x1a\n" + bytes(64), "HDF5")
+            for begin, says in ((b"\x89HDF\r\n\x1a\n", "HDF5"), (b"\x89PNG\r\n\x1a\n", "PNG"), (b"MM\0*", "TIFF"), (b"II*\0", "TIFF")):
+                self.assert_refused("a." + suffix, begin + bytes(64), says)
         self.assert_refused("a.dat", b"12 3\x00\x01\x02\x07", ["the file is binary, not text", "SurfaceTopography"])
         self.assert_refused("a.xyz", b"1 2 3\n\x01\x02", "the file is binary, not text")
 

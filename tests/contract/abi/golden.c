@@ -612,14 +612,15 @@ AT(rc_surface_cmr, approach, 56);
 AT(rc_surface_cmr, coarsest_pitch, 64);
 AT(rc_surface_cmr, reason, 72);
 
-SIZE(rc_surface_read_spec, 40);
+SIZE(rc_surface_read_spec, 48);
 AT(rc_surface_read_spec, struct_size, 0);
 AT(rc_surface_read_spec, format, 8);
 AT(rc_surface_read_spec, unit, 16);
 AT(rc_surface_read_spec, hx, 24);
 AT(rc_surface_read_spec, hy, 32);
+AT(rc_surface_read_spec, height_range, 40);
 
-SIZE(rc_surface_file, 504);
+SIZE(rc_surface_file, 512);
 AT(rc_surface_file, struct_size, 0);
 AT(rc_surface_file, nx, 8);
 AT(rc_surface_file, ny, 16);
@@ -632,6 +633,7 @@ AT(rc_surface_file, unit_assumed, 60);
 AT(rc_surface_file, format, 64);
 AT(rc_surface_file, assumed, 96);
 AT(rc_surface_file, storage, 496);
+AT(rc_surface_file, full_scale, 504);
 
 SIZE(rc_surface_format, 48);
 AT(rc_surface_format, struct_size, 0);
