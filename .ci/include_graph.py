@@ -42,8 +42,8 @@ LAYERS = {  # folder under src: folders it may include, each without the folders
 }
 OUTSIDE = {  # other folders: public headers they may include; besides, their own files and those of dependencies
     'backends': {'roughcontact/plugin.h', 'roughcontact/plugin.hpp'},  # and backends/common, which includes no backend
-    'bindings': CONTACT | {'roughcontact/formats.h', 'roughcontact/request.h'},
-    'tools': CONTACT | {'roughcontact/surface.h', 'roughcontact/mpi.h', 'roughcontact/request.h'},
+    'bindings': CONTACT | {'roughcontact/formats.h', 'roughcontact/flow.h', 'roughcontact/request.h'},
+    'tools': CONTACT | {'roughcontact/surface.h', 'roughcontact/flow.h', 'roughcontact/mpi.h', 'roughcontact/request.h'},
     'mpi': {'roughcontact/mpi.h', 'roughcontact/ranks.h'},
     'surface': {'roughcontact/roughcontact.h', 'roughcontact/surface.h'},
     'formats': {'roughcontact/roughcontact.h', 'roughcontact/formats.h'},

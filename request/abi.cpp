@@ -90,6 +90,7 @@ std::unique_ptr<rc_request> made(const rc_request_spec& spec) {
   } else if (spec.call != RC_CALL_ANALYZE) {
     set_elasticity(words, units, *request);
   }
+  set_flow(words, units, *request);
   set_loading(words, units, !spec.system && spec.call != RC_CALL_ANALYZE, *request);
   set_surface(spec, words, units, *request);
   remark_on_units(words, units, *request);

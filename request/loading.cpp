@@ -119,11 +119,41 @@ void set_loading(const Words& words, Units& units, bool needed, rc_request& requ
     if (dimension == Dimension::share && std::ranges::max(request.targets) > 1)
       throw Error(words.spelt(word), ": ", given->shown(), " is more than the whole, give a share as 10% or 0.1");
   }
+  if (words.find("closing-pressure")) {
+    if (!request.loading.empty())
+      throw Error("give only one of ", words.spelt(request.loading), " and ", words.spelt("closing-pressure"));
+    request.loading = "closing-pressure";
+  }
   if (!request.loading.empty() || !needed) return;
   if (words.call == RC_CALL_LAW) throw Error(words.spelt("pressure"), " is missing, give the range of the law as 1MPa..500MPa");
   std::string list;
   for (std::size_t k = 0; k < known.size(); ++k) list += (k == 0 ? "" : k + 1 < known.size() ? ", " : " or ") + known[k];
   throw Error("what to press with is missing, give ", list);
+}
+
+void set_flow(const Words& words, Units& units, rc_request& request) {
+  constexpr std::string_view keys[] = {"viscosity", "drop", "along"}, axes[] = {"x", "y"};
+  rc_problem_view& view = request.view;
+  if (words.find("closing-pressure")) view.along = 1 + static_cast<std::int32_t>(words.chosen("closing-pressure"));
+  const Given* const given = words.find("leak");
+  if (!given) return;
+  const std::string leak = words.spelt("leak");
+  if (view.along != 0) throw Error("give either ", leak, " or ", words.spelt("closing-pressure"), ", not both");
+  view.along = 1;
+  for (const std::string_view setting : split(given->text, ',')) {
+    const auto equals = std::min(setting.find('='), setting.size());
+    const std::string_view key = setting.substr(0, equals), value = setting.substr(std::min(equals + 1, setting.size()));
+    const std::size_t which = choice(leak, key, keys);
+    if (which == 2) {
+      view.along = 1 + static_cast<std::int32_t>(choice(leak + ": along", value, axes));
+      continue;
+    }
+    const Quantity found = read_positive(join(leak, ": ", key), value, which == 0 ? Dimension::viscosity : Dimension::pressure);
+    units.see({found});
+    (which == 0 ? view.viscosity : view.pressure_drop) = found.si();
+  }
+  if (!(view.viscosity > 0 && view.pressure_drop > 0))
+    throw Error(leak, ": ", given->shown(), " needs both viscosity and drop, give ", given->word->example);
 }
 
 void set_boundary(const Words& words, rc_request& request) {

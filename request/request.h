@@ -45,6 +45,8 @@ struct Units {
 void set_elasticity(const Words& words, Units& units, rc_request& request);
 // needed: whether it is an error if nothing presses.
 void set_loading(const Words& words, Units& units, bool needed, rc_request& request);
+// The words leak and closing-pressure.
+void set_flow(const Words& words, Units& units, rc_request& request);
 void set_boundary(const Words& words, rc_request& request);
 
 // Reads the maps and does to them what the words say; sets the grid.

@@ -15,8 +15,10 @@ namespace {
 struct Symbol {
   std::string_view text;
   Dimension dimension;
+  double factor = 1;
 };
-constexpr Symbol symbols[] = {{"Pa", Dimension::pressure}, {"N", Dimension::force}, {"rad", Dimension::angle}};
+constexpr Symbol symbols[] = {{"Pa", Dimension::pressure}, {"bar", Dimension::pressure, 1e5}, {"N", Dimension::force},
+                              {"rad", Dimension::angle},   {"Pas", Dimension::viscosity},     {"Pa s", Dimension::viscosity}};
 
 constexpr std::pair<const char*, double> label_prefixes[] = {{"T", 1e12},  {"G", 1e9},   {"M", 1e6},         {"k", 1e3},
                                                              {"", 1},      {"m", 1e-3},  {"\xc2\xb5", 1e-6}, {"n", 1e-9},
@@ -34,10 +36,10 @@ std::optional<Unit> find_unit(std::string_view name) {
   if (const auto metres = metres_in(name)) return Unit{Dimension::length, *metres};
   if (name == "%") return Unit{Dimension::share, 0.01};
   if (name == "deg") return Unit{Dimension::angle, 3.14159265358979323846 / 180};
-  for (const auto& [symbol, dimension] : symbols) {
+  for (const auto& [symbol, dimension, scale] : symbols) {
     if (!name.ends_with(symbol)) continue;
     const auto prefix = name.substr(0, name.size() - symbol.size());
-    if (const auto factor = metres_in(join(prefix, "m"))) return Unit{dimension, *factor};
+    if (const auto factor = metres_in(join(prefix, "m"))) return Unit{dimension, *factor * scale};
   }
   return std::nullopt;
 }
@@ -46,13 +48,15 @@ const char* name_of(Dimension dimension) {
   if (dimension == Dimension::length) return "a length";
   if (dimension == Dimension::pressure) return "a pressure";
   if (dimension == Dimension::share) return "a share";
+  if (dimension == Dimension::viscosity) return "a viscosity";
   return dimension == Dimension::force ? "a force" : "an angle";
 }
 
 const char* units_of(Dimension dimension) {
   if (dimension == Dimension::length) return formats::known_lengths.data();
-  if (dimension == Dimension::pressure) return "Pa with an SI prefix (kPa, MPa, GPa)";
+  if (dimension == Dimension::pressure) return "Pa with an SI prefix (kPa, MPa, GPa), or bar";
   if (dimension == Dimension::share) return "%, at most 100 %";
+  if (dimension == Dimension::viscosity) return "Pas with an SI prefix (mPas)";
   return dimension == Dimension::force ? "N with an SI prefix (uN, mN, kN)" : "deg or rad";
 }
 

@@ -7,7 +7,7 @@
 
 namespace rc::request {
 
-enum class Dimension { length, pressure, force, angle, share };
+enum class Dimension { length, pressure, force, angle, share, viscosity };
 
 struct Unit {
   Dimension dimension;
@@ -21,7 +21,7 @@ std::optional<double> metres_in(std::string_view name);
 // u, U+00B5, U+03BC or Latin-1. Nothing if the text is no such unit.
 std::optional<Unit> find_unit(std::string_view name);
 
-// "a pressure", "Pa with an SI prefix (kPa, MPa, GPa)".
+// "a pressure", "Pa with an SI prefix (kPa, MPa, GPa), or bar".
 const char* name_of(Dimension dimension);
 const char* units_of(Dimension dimension);
 

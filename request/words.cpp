@@ -16,6 +16,7 @@ namespace {
 constexpr std::int32_t every = every_call;
 constexpr std::int32_t presses = every & ~RC_CALL_ANALYZE;
 constexpr std::int32_t whole = every & ~RC_CALL_ROWS;
+constexpr std::int32_t steps = RC_CALL_SOLVE | RC_CALL_HISTORY;
 constexpr std::string_view alone = "a rank has some rows, and this needs others";
 constexpr std::string_view elastic = "Elasticity (modulus, or E and nu)", loading = "Loading (one of)",
                            nothing = "nothing presses when a surface is analysed";

@@ -14,14 +14,14 @@ def words(table: str) -> List[Tuple[Any, ...]]:
     every = sum(calls.values())
     text = re.sub(r"^//.*\n", "", table, flags=re.M)
     kinds = {name: name for name in re.findall(r"RC_WORD_\w+", text)}
-    own = {"every": every, "presses": every & ~calls["RC_CALL_ANALYZE"], "elastic": "", "loading": "", "most_targets": 100000}
+    own = {"every": every, "presses": every & ~calls["RC_CALL_ANALYZE"], "steps": calls["RC_CALL_SOLVE"] | calls["RC_CALL_HISTORY"], "elastic": "", "loading": "", "most_targets": 100000}
     exec(text, {**calls, **kinds, **own, "nothing": "nothing presses when a surface is analysed", "whole": every & ~calls["RC_CALL_ROWS"], "alone": "a rank has some rows, and this needs others", "RC_REQUEST_WORD": lambda *row: rows.append(row)})
     return rows
 
 
 def python_words(table: str) -> str:
-    """The words of calls that solve; surfaces are arguments, and options of the library keywords."""
-    taken = [row for row in words(table) if row[1] != "RC_WORD_OPTION" and row[0] not in ("surface", "gap") and row[8] & 1]
+    """The words of calls that solve; surfaces are arguments, options of the library keywords, and flows have functions."""
+    taken = [row for row in words(table) if row[1] != "RC_WORD_OPTION" and row[0] not in ("surface", "gap", "closing-pressure", "leak") and row[8] & 1]
     lines = []
     for name, _, _, _, form, text, *_ in taken:
         pair = f'    "{name.replace("-", "_")}": ("{form}", "{text}"),'

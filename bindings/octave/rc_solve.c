@@ -1,7 +1,8 @@
 /* rc_solve as a MEX function, for Octave and for MATLAB. Build, in this folder:
  *   mkoctfile --mex rc_solve.c $(pkg-config --cflags --libs roughcontact-request) \
  *     -Wl,-rpath,$(pkg-config --variable=libdir roughcontact)                 (Octave)
- *   mex rc_solve.c -I<include> -L<lib> -lroughcontact-request -lroughcontact-formats -lroughcontact -lut (MATLAB) */
+ *   mex rc_solve.c -I<include> -L<lib> -lroughcontact-request -lroughcontact-formats -lroughcontact -lut (MATLAB)
+ * With -DRC_SOLVE_FLOW and libroughcontact-flow, which is under the GPL, it also has the words leak and closing_pressure. */
 #include <math.h>
 #include <mex.h>
 #include <roughcontact/derivatives.h>
@@ -11,6 +12,9 @@
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
+#ifdef RC_SOLVE_FLOW
+#include <roughcontact/flow.h>
+#endif
 
 /* The arguments of rc_solve(z, opts). A function that fails returns a status other than RC_OK and sets message. Memory
  * is MEX's, freed when the function ends; the options are the library's, destroyed by close_request. */
@@ -25,6 +29,7 @@ typedef struct Request {
   rc_gradient gradient; /* of a certified answer, where it is asked for */
   bool asks_gradient;
   mxArray* by_gap;   /* what it writes; NULL: none was computed */
+  mxArray* flow;     /* of the words leak and closing_pressure; NULL: neither is given */
   char* explanation; /* of rc_contact_explain, after a solve */
   char message[1024];
 } Request;
@@ -93,6 +98,55 @@ static char* remarks_of(const Request* request) {
   return *text ? strcpy(mxMalloc(strlen(text) + 1), text) : NULL;
 }
 
+/* A struct of numbers, whose names a comma-separated list has. */
+static mxArray* struct_of(const char* names, const double* numbers) {
+  mxArray* made = mxCreateStructMatrix(1, 1, 0, NULL);
+  char name[32];
+  for (int read = 0; sscanf(names, " %31[^,]%n", name, &read) == 1; names += *names == ',') {
+    mxSetFieldByNumber(made, 0, mxAddField(made, name), mxCreateDoubleScalar(*numbers++));
+    names += read;
+  }
+  return made;
+}
+
+/* The leak of an answer; without one the pressure at which the seal closes. */
+static rc_status find_flow(Request* request, const rc_step* step, const rc_result* result) {
+#ifdef RC_SOLVE_FLOW
+  const rc_system* system = &request->view.system;
+  rc_flow_spec spec = RC_FLOW_SPEC_INIT;
+  spec.along = request->view.along;
+  rc_status status;
+#ifndef MATLAB_MEX_FILE
+  rc_flow_stop_when((const int32_t*)&octave_interrupt_state);
+#endif
+  if (result) {
+    rc_flow_result found = RC_FLOW_RESULT_INIT;
+    spec.viscosity = request->view.viscosity;
+    spec.pressure_drop = request->view.pressure_drop;
+    spec.mask = step->mask;
+    status = rc_flow_of_result(system, request->options, result, &spec, &found);
+    const double numbers[] = {found.flow,
+                              found.lower,
+                              found.upper,
+                              found.constriction,
+                              (double)found.constriction_x + 1,
+                              (double)found.constriction_y + 1,
+                              found.gap_error,
+                              found.seconds};
+    request->flow = struct_of("flow,lower,upper,constriction,constriction_x,constriction_y,gap_error,seconds", numbers);
+  } else {
+    rc_flow_closing found = RC_FLOW_CLOSING_INIT;
+    status = rc_flow_closing_pressure(system, request->options, step, &spec, &found);
+    const double numbers[] = {found.lower, found.upper, found.area_fraction, found.constriction, found.steps, found.seconds};
+    request->flow = struct_of("lower,upper,area_fraction,constriction,steps,seconds", numbers);
+  }
+  return status == RC_STOP_STALLED ? RC_OK : keep(request, status, rc_flow_last_error());
+#else
+  (void)step, (void)result;
+  return refuse(request, RC_ERR_ARGUMENT, "opts.leak, opts.closing_pressure: compile rc_solve.c with -DRC_SOLVE_FLOW");
+#endif
+}
+
 /* p has nx*ny values; gap may be NULL. */
 static rc_status solve(Request* request, rc_const_array p0, double* p, double* gap, rc_result* result) {
   const rc_system* system = &request->view.system;
@@ -106,7 +160,8 @@ static rc_status solve(Request* request, rc_const_array p0, double* p, double* g
                  : !strcmp(loading, "load")     ? RC_CONTROL_LOAD
                  : !strcmp(loading, "pressure") ? RC_CONTROL_PRESSURE
                                                 : RC_CONTROL_AREA;
-  step.target = request->view.targets[0] * (step.control == RC_CONTROL_AREA ? (double)n * system->hx * system->hy : 1);
+  if (request->view.n > 0)
+    step.target = request->view.targets[0] * (step.control == RC_CONTROL_AREA ? (double)n * system->hx * system->hy : 1);
   step.undeformed_gap = RC_IN(undeformed_gap);
   step.mask = RC_IN(request->view.mask);
   step.p0 = p0;
@@ -114,6 +169,10 @@ static rc_status solve(Request* request, rc_const_array p0, double* p, double* g
   result->p = RC_OUT(p);
   result->gap = RC_OUT(gap);
 
+  if (request->view.n == 0) {
+    result->status = RC_OK;
+    return find_flow(request, &step, NULL);
+  }
   rc_contact* contact = NULL;
   status = rc_contact_create(system, request->options, &contact);
   if (status == RC_OK) status = rc_contact_on_progress(contact, interrupted, NULL, 1);
@@ -129,6 +188,10 @@ static rc_status solve(Request* request, rc_const_array p0, double* p, double* g
     if (found != RC_OK && found != RC_STOP_STALLED) status = found;
   }
   rc_contact_destroy(contact);
+  if (status >= 0 && status != RC_STOP_CANCELLED && request->view.along != 0) {
+    const rc_status found = find_flow(request, &step, result);
+    if (found != RC_OK) status = found;
+  }
   return status;
 }
 
@@ -193,15 +256,12 @@ static void set_field(Request* request, const char* field, const mxArray* value)
 }
 
 static mxArray* gradient_of(const Request* request) {
-  static const char* names[] = {"undeformed_gap", "target", "modulus", "error", "undecided", "products"};
   if (!request->by_gap) return NULL;
   const rc_gradient* found = &request->gradient;
   const double numbers[] = {found->dJ_dtarget, found->dJ_dmodulus, found->error, (double)found->undecided,
                             (double)found->products};
-  mxArray* gradient = mxCreateStructMatrix(1, 1, sizeof names / sizeof *names, names);
-  mxSetField(gradient, 0, names[0], request->by_gap);
-  for (size_t i = 0; i < sizeof numbers / sizeof *numbers; ++i)
-    mxSetField(gradient, 0, names[i + 1], mxCreateDoubleScalar(numbers[i]));
+  mxArray* gradient = struct_of("target,modulus,error,undecided,products", numbers);
+  mxSetFieldByNumber(gradient, 0, mxAddField(gradient, "undeformed_gap"), request->by_gap);
   return gradient;
 }
 
@@ -213,7 +273,7 @@ static mxArray* info_of(const rc_result* result, const Request* request, mxArray
 #include "result_fields.def"
 #undef NUMBER
 #undef TEXT
-      "status_name", "status_text", "message", "explanation", "gap", "gradient"};
+      "status_name", "status_text", "message", "explanation", "gap", "gradient", "flow"};
   mxArray* info = mxCreateStructMatrix(1, 1, sizeof names / sizeof *names, names);
 #define NUMBER(from, name) mxSetField(info, 0, #name, mxCreateDoubleScalar((double)from->name));
 #define TEXT(from, name) mxSetField(info, 0, #name, mxCreateString(from->name));
@@ -226,6 +286,7 @@ static mxArray* info_of(const rc_result* result, const Request* request, mxArray
   mxSetField(info, 0, "explanation", mxCreateString(request->explanation ? request->explanation : ""));
   mxSetField(info, 0, "gap", gap);
   mxSetField(info, 0, "gradient", gradient_of(request));
+  mxSetField(info, 0, "flow", request->flow);
   return info;
 }
 
@@ -267,7 +328,7 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
   check(&request, read_words(&request));
   char* const remarks = remarks_of(&request);
   plhs[0] = mxCreateDoubleMatrix(nx, ny, mxREAL);
-  mxArray* gap = nlhs > 1 ? mxCreateDoubleMatrix(nx, ny, mxREAL) : NULL;
+  mxArray* gap = nlhs > 1 || request.view.along != 0 ? mxCreateDoubleMatrix(nx, ny, mxREAL) : NULL;
   rc_result result;
   const rc_status status = solve(&request, p0, mxGetPr(plhs[0]), gap ? mxGetPr(gap) : NULL, &result);
   if (status == RC_STOP_CANCELLED) {
@@ -276,7 +337,7 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
   }
   check(&request, status);
   /* A warning may be an error to the user, and not return: everything is given back before. */
-  if (gap) plhs[1] = info_of(&result, &request, gap);
+  if (nlhs > 1) plhs[1] = info_of(&result, &request, gap);
   close_request(&request);
   if (remarks) mexWarnMsgIdAndTxt("roughcontact:assumed", "rc_solve: %s", remarks);
   if (status != RC_OK && status != RC_WITHIN_GOAL) {

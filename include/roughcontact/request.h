@@ -142,13 +142,17 @@ typedef struct rc_problem_view {
   const uint8_t *mask;     /* [maps*ny*nx], 0: excluded, and the height may be NaN; NULL: none is                    */
   int64_t maps;
   int64_t missing;         /* points without a height before they were filled or excluded                            */
-  const char *loading;     /* "approach", "load", "pressure", "area"; NULL: nothing presses                          */
+  const char *loading;     /* "approach", "load", "pressure", "area", "closing-pressure"; NULL: nothing presses      */
   const double *targets;   /* [n] of it                                                                              */
   int64_t n;
   double metres;           /* that a length of the caller's counts: of a gap, and of later lengths without a unit    */
   int32_t si;              /* 1: m, Pa, N; 0: the caller's set                                                       */
   int32_t periodic;        /* whether the surface repeats: 1, 0, or -1: not known                                    */
   const char *format;      /* of the surface's file; "": none                                                        */
+  double viscosity;        /* of the word leak [pressure time]; 0: no leak is asked for                              */
+  double pressure_drop;    /* of the same [pressure]                                                                 */
+  int32_t along;           /* RC_FLOW_X or RC_FLOW_Y, of the words leak and closing-pressure; 0: neither is given    */
+  int32_t reserved;
 } rc_problem_view;
 #define RC_PROBLEM_VIEW_INIT RC_BEGIN(rc_problem_view)
 

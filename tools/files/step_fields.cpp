@@ -20,7 +20,9 @@ constexpr std::pair<std::string_view, std::string_view> units[] = {{"approach", 
                                                                    {"load_upper", "N"},        {"energy", "N m"},
                                                                    {"duality_gap", "N m"},     {"seconds", "s"},
                                                                    {"setup_seconds", "s"},     {"left_out", "m"},
-                                                                   {"plastic_volume", "m^3"}};
+                                                                   {"plastic_volume", "m^3"},  {"leak", "m^3/s"},
+                                                                   {"leak_lower", "m^3/s"},    {"leak_upper", "m^3/s"},
+                                                                   {"constriction", "m"}};
 
 const char* directions(std::int32_t x, std::int32_t y) { return x != 0 ? (y != 0 ? "xy" : "x") : y != 0 ? "y" : "none"; }
 
@@ -77,6 +79,15 @@ std::vector<JsonEntry> step_fields(const StepRecord& step, bool yields) {
       {"area_estimate", step.accuracy.area_estimate},
       {"note", r.note},
       {"message", step.message}};
+  if (step.leak) {
+    const rc_flow_result& leak = *step.leak;
+    fields.insert(fields.end(), {{"leak", leak.flow},
+                                 {"leak_lower", leak.lower},
+                                 {"leak_upper", leak.upper},
+                                 {"constriction", leak.constriction},
+                                 {"constriction_x", leak.constriction_x},
+                                 {"constriction_y", leak.constriction_y}});
+  }
   if (yields) {
     fields.push_back({"capped", r.capped});
     fields.push_back({"plastic_volume", r.plastic_volume});

@@ -40,7 +40,7 @@ std::string Checksum::text() const { return format("%016llx", static_cast<unsign
 Summary::Summary(const Problem& problem, const std::string& checksum) {
   const rc_system& system = problem.system;
   document_.begin("units");
-  document_.add({{"length", "m"}, {"pressure", "Pa"}, {"force", "N"}});
+  document_.add({{"length", "m"}, {"pressure", "Pa"}, {"force", "N"}, {"flow", "m^3/s"}});
   document_.end();
   document_.begin("input");
   document_.add({{"file", problem.input.file},
@@ -60,6 +60,10 @@ Summary::Summary(const Problem& problem, const std::string& checksum) {
                  {"control", problem.control}});
   if (system.hardness > 0) document_.add("hardness", system.hardness);
   if (!problem.input.against.empty()) document_.add("against", problem.input.against);
+  if (problem.view.viscosity > 0)
+    document_.add({{"viscosity", problem.view.viscosity},
+                   {"pressure_drop", problem.view.pressure_drop},
+                   {"leak_along", problem.view.along == 1 ? "x" : "y"}});
   if (!problem.input.shape.empty()) document_.add("shape", problem.input.shape);
   document_.add("targets", problem.targets);
   document_.begin("options");

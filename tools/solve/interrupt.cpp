@@ -11,11 +11,13 @@ namespace {
 
 std::atomic<rc_contact*> watched{nullptr};
 std::atomic<bool> interrupted{false};
+std::int32_t stop = 0;
 static_assert(std::atomic<rc_contact*>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 
 void on_signal(int number) {
   rc_contact* const contact = watched;
   if (contact && !interrupted.exchange(true)) {
+    std::atomic_ref(stop).store(1);
     rc_contact_cancel(contact);
     return;
   }
@@ -30,6 +32,8 @@ void handle_signals() { rc_platform::when_asked_to_end(on_signal); }
 Interrupt::Interrupt(rc_contact* contact) { watched = contact; }
 
 Interrupt::~Interrupt() { watched = nullptr; }
+
+const std::int32_t* stop_flag() { return &stop; }
 
 bool Interrupt::requested() const { return interrupted; }
 

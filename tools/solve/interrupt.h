@@ -10,6 +10,9 @@ namespace cli {
 // Handles signals from here on. Those that the process was started to ignore stay ignored.
 void handle_signals();
 
+// Set to 1 by the first signal, as long as a contact is watched.
+const std::int32_t* stop_flag();
+
 // Watches a contact while it lives; at most one at a time. The contact must outlive it.
 class Interrupt {
  public:

@@ -42,7 +42,7 @@ Problem make_problem(const SolveArguments& arguments, std::int32_t call, const r
   if (call != RC_CALL_ROWS) problem.options.emplace_back(RC_OPT_STIFFNESS, "1");
   set_options(arguments, problem);
   problem.input = input_of(arguments.words, make_request(arguments.words, call, maps, n_maps));
-  const rc_problem_view view = problem_of(problem.input.request);
+  const rc_problem_view& view = problem.view = problem_of(problem.input.request);
   problem.system = view.system;
   problem.control = view.loading;
   problem.targets.assign(view.targets, view.targets + view.n);

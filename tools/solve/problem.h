@@ -1,7 +1,7 @@
 // The arguments of `roughcontact solve` as given, and the checked problem in metres that they describe.
 #pragma once
 
-#include <roughcontact/roughcontact.h>
+#include <roughcontact/flow.h>
 
 #include <optional>
 #include <string>
@@ -28,8 +28,9 @@ struct SolveArguments {
 
 struct Problem {
   SurfaceInput input;
+  rc_problem_view view;
   rc_system system;
-  std::string control;                                       // "approach", "load", "pressure" or "area"
+  std::string control;                                       // "approach", "load", "pressure", "area" or "closing-pressure"
   std::vector<double> targets;                               // of the control; lengths in metres, areas as shares
   std::vector<std::pair<std::string, std::string>> options;  // of the library, later ones win
 

@@ -14,6 +14,7 @@
 #include "platform/terminal.h"
 #include "solve/conclusion.h"
 #include "solve/interrupt.h"
+#include "solve/leak.h"
 #include "solve/progress_bar.h"
 #include "solve/step_record.h"
 #include "solve/step_solver.h"
@@ -83,11 +84,17 @@ ExitCode run_solve(const SolveArguments& arguments) {
   StepWriters writers;
   if (arguments.write) writers = find_step_writers(*arguments.write);
   const Problem problem = make_problem(arguments, RC_CALL_HISTORY);
+  const bool closing = problem.control == "closing-pressure";
+  if (closing && arguments.out) throw Error("--closing-pressure has no steps, whose folder --out is");
   const int steps = static_cast<int>(problem.targets.size());
   Fields fields{problem.input.surface.heights.size(), problem.system.hardness > 0};
 
   Context context;
   const Options options = make_options(context, default_threads(problem.system.nx * problem.system.ny), problem.options);
+  if (closing) {
+    for (const std::string& note : problem.input.notes) report(note);
+    return search_closing_pressure(problem, options.get()) ? exit_certified : exit_uncertified;
+  }
   ProgressBar bar{!arguments.quiet && rc_platform::is_terminal(stderr), tolerance(options), problem.targets.size()};
   const Contact contact = make_contact(problem, options);
   check(rc_contact_on_progress(contact.get(), on_progress, &bar, 1), "");
@@ -107,8 +114,12 @@ ExitCode run_solve(const SolveArguments& arguments) {
   for (int number = finished + 1; number <= steps && !interrupt.requested(); ++number) {
     const bool first = number == finished + 1;
     bar.begin(number);
-    const StepRecord step = solver.solve(number, fields);
+    StepRecord step = solver.solve(number, fields);
     bar.clear();
+    if (problem.view.viscosity > 0 && step.result.status != RC_STOP_CANCELLED) {
+      step.leak = leak_of_step(problem, options.get(), step.result);
+      if (!step.leak) return exit_cancelled;
+    }
 
     context.report_log(arguments.explain ? RC_LOG_INFO : RC_LOG_WARNING);
     for (const std::string& note : problem.input.notes) {

@@ -1,9 +1,10 @@
 // One finished step of the sequence.
 #pragma once
 
-#include <roughcontact/roughcontact.h>
+#include <roughcontact/flow.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 #include "solve/contact_measures.h"
@@ -15,7 +16,8 @@ struct StepRecord {
   rc_result result;
   rc_accuracy accuracy;
   ContactMeasures measures;
-  std::string message;  // why the step is not certified; "" if it is
+  std::string message;                   // why the step is not certified; "" if it is
+  std::optional<rc_flow_result> leak{};  // if it is asked for
 
   bool good() const { return result.status == RC_OK || result.status == RC_WITHIN_GOAL; }
   double worst_residual() const {

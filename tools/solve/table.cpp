@@ -6,6 +6,7 @@
 
 #include "platform/files.h"
 #include "request/units.h"
+#include "solve/leak.h"
 #include "text.h"
 
 namespace cli {
@@ -60,6 +61,7 @@ void print_table_row(const Problem& problem, const StepRecord& step) {
     text += format("%4s %lld of %lld contact points at the hardness, plastic volume of the step ", "",
                    static_cast<long long>(r.capped), static_cast<long long>(r.contacts)) +
             with_prefix(r.plastic_volume, "m^3", digits) + "\n";
+  if (step.leak) text += format("%4s ", "") + line_of(problem, *step.leak) + "\n";
   print(text);
 }
 

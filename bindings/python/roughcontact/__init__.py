@@ -40,7 +40,8 @@ from .analysis import Area as Area, Conductance as Conductance, Crossing as Cros
 from ._answers import load as load
 from ._batch import batch as batch
 from .contact import Contact as Contact
-from ._flow import FlowFactors as FlowFactors, Leak as Leak, flow as flow, flow_factors as flow_factors
+from ._flow import ClosingPressure as ClosingPressure, FlowFactors as FlowFactors, Leak as Leak
+from ._flow import closing_pressure as closing_pressure, flow as flow, flow_factors as flow_factors
 from ._derivatives import Gradient as Gradient, Tangent as Tangent
 from ._handle import Progress as Progress
 from .context import (

@@ -16,9 +16,11 @@ from ._c import S, members_for
 from ._calls import conclude, flow_calls, interruptible
 from ._device import on_host
 from ._errors import ArgumentError, as_status
+from ._keywords import split_words
 from ._library import flow_library
+from ._request import pressed
 from ._status import Status
-from ._structs import rc_flow_factors, rc_flow_result, rc_flow_spec, rc_result
+from ._structs import rc_flow_closing, rc_flow_factors, rc_flow_result, rc_flow_spec, rc_result, rc_step
 from .context import Context, Options, OptionSet
 from .system import System, grid_struct
 
@@ -82,6 +84,23 @@ class FlowFactors(Stored):
     def phi(self) -> Doubles:
         """The pressure flow factors of mixed lubrication: [[xx, xy], [xy, yy]] over the cube of the mean gap."""
         return np.array([[self.xx, self.xy], [self.xy, self.yy]]) / self.mean_gap**3
+
+
+@dataclass(frozen=True)
+class ClosingPressure(Stored):
+    """Mean pressures: at the lower one the gap is proven to be open, at the upper one to be closed [force/length^2].
+
+    area_fraction: in contact at the upper one; constriction: of the gap at the lower one [length]; steps: of the contact
+    """
+
+    status: Status
+    message: str
+    lower: float
+    upper: float
+    area_fraction: float
+    constriction: float
+    steps: int
+    seconds: float
 
 
 def _spec(along: str, sides: Optional[str], **values: Any) -> rc_flow_spec:
@@ -184,4 +203,37 @@ def leak_of(
             return int(flow_library().rc_flow_of_result(struct, handle, solved, spec, out))
 
     answer: Leak = _called(Leak, out, call, (spec, solved, system, product), potential=potential)
+    return answer
+
+
+def closing_pressure(
+    heights: Any = None,
+    *,
+    along: str = "x",
+    sides: Optional[str] = None,
+    width: Optional[float] = None,
+    undeformed_gap: Optional[ArrayLike] = None,
+    mask: Optional[ArrayLike] = None,
+    system: Optional[System] = None,
+    options: Options = None,
+    context: Optional[Context] = None,
+    **words: Any,
+) -> ClosingPressure:
+    """The pressure at which no path through the gap is left, between one that is proven to be open and one proven to be closed.
+
+    along, sides: as in `flow`; sides=None: as the boundary repeats
+    width: wanted width of the interval, over its upper end; a finer tol allows narrower ones
+    Other arguments and words as in `solve`.
+    """
+    named, options = split_words(closing_pressure, options, words, context)
+    spec, out = _spec(along, sides, width=width), rc_flow_closing()
+    what = pressed(_constants.RC_CALL_HISTORY, heights, undeformed_gap, mask, system, {**named, "closing-pressure": along})
+    struct, product = what.system.struct()
+    step = given(rc_step(), undeformed_gap=what.gap, mask=what.mask)
+
+    def call() -> int:
+        with OptionSet(options, context) as handle:
+            return int(flow_library().rc_flow_closing_pressure(struct, handle, step, spec, out))
+
+    answer: ClosingPressure = _called(ClosingPressure, out, call, (what, product, step, spec))
     return answer

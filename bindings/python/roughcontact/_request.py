@@ -247,7 +247,7 @@ def prescribed(system: System, **ways: Any) -> Prescribed:
 
 @dataclass(frozen=True)
 class Pressed:
-    """A problem: loading is None where nothing presses; mask: of its own for each surface where it has an axis more."""
+    """A problem: loading is None where no step is prescribed; mask: of its own for each surface where it has an axis more."""
 
     system: System
     gap: Any
@@ -357,7 +357,7 @@ def pressed(
         if there:  # a step reads it on the device; other calls get a copy
             gap = (device_array if call == _constants.RC_CALL_SOLVE else as_doubles)(gap, "undeformed_gap")
     loading = None
-    if view.loading is not None:
+    if view.n > 0:
         name = view.loading.decode()
         loading = _prescribed(
             name, request.targets.reshape(np.shape(words[name]) if not isinstance(words[name], str) else -1), found

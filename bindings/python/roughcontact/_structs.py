@@ -311,7 +311,8 @@ class rc_request_spec(Sized):
 @struct
 class rc_problem_view(Sized):
     members = """size_t struct_size; rc_system system; doubles heights; bytes_ mask; int64_t maps missing; text loading;
-    doubles targets; int64_t n; double metres; int32_t si periodic; text format"""
+    doubles targets; int64_t n; double metres; int32_t si periodic; text format; double viscosity pressure_drop;
+    int32_t along reserved"""
 
 
 @struct

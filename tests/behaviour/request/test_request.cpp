@@ -130,6 +130,33 @@ void numbers_stay_in_the_callers_units_until_one_is_named(void**) {
   assert_true(std::abs(view.system.hx - 1e-12) < 1e-24 && std::abs(view.heights[5] - 1e-12) < 1e-24 && view.metres == 1e-6);
 }
 
+void flows_are_words(void**) {
+  Asked asked;
+  asked.spec.spelling = RC_SPELLING_OPTION;
+  assert_true(asked.view().along == 0 && asked.view().viscosity == 0);
+  asked.words.push_back({"leak", "viscosity=1.5 mPa s,drop=2bar,along=y", nullptr, 0});
+  rc_problem_view view = asked.view();
+  assert_true(std::abs(view.viscosity - 1.5e-3) < 1e-18 && view.pressure_drop == 2e5 && view.along == 2 && view.si == 1);
+  for (const auto& [text, says] : {std::pair{"viscosity=1mPas", "--leak: \"viscosity=1mPas\" needs both viscosity and drop"},
+                                   {"viscosity=0Pas,drop=1bar", "is not positive"},
+                                   {"viscosity=1bar,drop=1bar", "is a pressure, expected a viscosity: Pas with an SI prefix"},
+                                   {"viscosity=1mPas,drop=1bar,along=z", "--leak: along"},
+                                   {"viscosity", "is not a number"},
+                                   {"visc=1mPas,drop=1bar", "viscosity"}}) {
+    asked.words.back().text = text;
+    asked.refuses(RC_ERR_ARGUMENT, says);
+  }
+  asked.words.back().text = "viscosity=1e-3,drop=1e5";
+  assert_true(asked.view().along == 1);
+  asked.words.push_back({"closing-pressure", "x", nullptr, 0});
+  asked.refuses(RC_ERR_ARGUMENT, "either --leak or --closing-pressure");
+  asked.words.erase(asked.words.end() - 2);
+  asked.refuses(RC_ERR_ARGUMENT, "give only one of --load and --closing-pressure");
+  asked.words.erase(asked.words.begin() + 1);
+  view = asked.view();
+  assert_true(std::string(view.loading) == "closing-pressure" && view.along == 1 && view.n == 0);
+}
+
 void smooth_bodies(void**) {
   Asked asked;
   asked.words.push_back({"shape", "sphere:R=1mm", nullptr, 0});
@@ -199,6 +226,7 @@ int main() {
       cmocka_unit_test(heights_that_no_word_changes_are_the_callers),
       cmocka_unit_test(masks_and_missing_points),
       cmocka_unit_test(numbers_stay_in_the_callers_units_until_one_is_named),
+      cmocka_unit_test(flows_are_words),
       cmocka_unit_test(smooth_bodies),
       cmocka_unit_test(what_a_program_may_do_wrong),
       cmocka_unit_test(options_are_words_too),

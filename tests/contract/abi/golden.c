@@ -772,7 +772,7 @@ AT(rc_request_spec, n_maps, 48);
 AT(rc_request_spec, system, 56);
 AT(rc_request_spec, context, 64);
 
-SIZE(rc_problem_view, 184);
+SIZE(rc_problem_view, 208);
 AT(rc_problem_view, struct_size, 0);
 AT(rc_problem_view, system, 8);
 AT(rc_problem_view, heights, 104);
@@ -786,6 +786,10 @@ AT(rc_problem_view, metres, 160);
 AT(rc_problem_view, si, 168);
 AT(rc_problem_view, periodic, 172);
 AT(rc_problem_view, format, 176);
+AT(rc_problem_view, viscosity, 184);
+AT(rc_problem_view, pressure_drop, 192);
+AT(rc_problem_view, along, 200);
+AT(rc_problem_view, reserved, 204);
 
 SIZE(rc_remark, 56);
 AT(rc_remark, struct_size, 0);

@@ -125,6 +125,15 @@ def test_a_matrix_needs_its_system(small_matrix):
     assert 0 < found.lower <= found.flow <= found.upper
 
 
+def test_a_seal_closes_between_two_pressures(rough_gap):
+    found = rc.closing_pressure(undeformed_gap=rough_gap, along="y", width=0.02, **PRESSED)
+    assert found.status == rc.Status.OK and 0 < found.lower < found.upper <= found.lower / 0.98
+    for pressure, closed in ((found.lower * 0.99, False), (found.upper * 1.01, True)):
+        result = rc.solve(undeformed_gap=rough_gap, pressure=pressure, want_gap=True, **PRESSED)
+        assert (result.leak(along="y", **FLUID).upper == 0) == closed == ("y" not in result.gap_crosses)
+    refused(rc.ArgumentError, "only one of load and closing", rc.closing_pressure, undeformed_gap=rough_gap, load=1, **PRESSED)
+
+
 def test_what_cannot_be_is_refused(rough_gap, pressed):
     gap = np.ones((4, 4))
     refused(rc.ArgumentError, "negative", rc.flow, -gap, pitch=1, **FLUID)

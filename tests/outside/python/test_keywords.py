@@ -184,7 +184,7 @@ def test_modules_show_what_they_are_for():
     exec("from roughcontact import *", namespace)
     assert set(namespace) - {"__builtins__"} == set(rc.__all__)
     names = {name for name in dir(rc.raw) if not name.startswith(("rc_", "RC_"))}
-    assert names == {"contact_library", "surface_library", "formats_library", "request_library", "library_file"}
+    assert names == {"contact_library", "surface_library", "formats_library", "flow_library", "request_library", "library_file"}
 
 
 def test_help_names_every_keyword_with_its_default():

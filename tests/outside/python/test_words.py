@@ -53,6 +53,8 @@ RIGHT = {
     "load": [{"load": "20uN"}, {"load": "2e-5"}],
     "pressure": [{"pressure": "100kPa", "load": None}],
     "area": [{"area": "10%", "load": None}, {"area": "0.2", "load": None}],
+    "closing-pressure": [],  # see test_a_word_of_flow_is_a_function_here
+    "leak": [],
     "boundary": [{"boundary": name} for name in ("free", "periodic-x", "periodic-y")],
     "kernel": [{"kernel": "love", "boundary": "free"}],
     "solver": [{"solver": "polonsky-keer"}],
@@ -211,15 +213,15 @@ def doors(folder, words):
     words = dict(words)
     surface = words.pop("surface")
     numeric = {"tol": float, "threads": int}
-    named = {
-        name.replace("-", "_"): numeric[name](value) if name in numeric else value for name, value in words.items()
-    }
+    named = {name.replace("-", "_"): numeric[name](value) if name in numeric else value for name, value in words.items()}
     yield "solve", of(lambda: numbers(rc.solve(surface, stiffness=1, **named)))
     yield "history", of(lambda: numbers(rc.history(surface, stiffness=True, **named)[0]))
     yield "report", of(
         lambda: numbers(collect(read_request([surface, *(f"--{name}={value}" for name, value in words.items())])).steps[-1])
     )
-    if "unit" in words and surface.endswith(".npy") and "height-range" not in words:  # as an array the surface has no unit of its own
+    if (
+        "unit" in words and surface.endswith(".npy") and "height-range" not in words
+    ):  # as an array the surface has no unit of its own
         yield "array", of(
             lambda: numbers(rc.solve(np.load(surface), stiffness=1, **{k: v for k, v in named.items() if k != "format"}))
         )
@@ -237,6 +239,43 @@ def test_every_word_is_in_the_matrix_and_says_where_it_is_not():
     for word in words:
         assert word.help and word.form and (word.calls == 63) == (not word.why_not), word.name
         assert word.calls & ~63 == 0 and word.struct_size == ctypes.sizeof(word)
+
+
+def test_a_word_of_flow_is_a_function_here(folder, command):
+    if not command.exists():
+        pytest.skip("this build has no command")
+    by_command(command, folder, {**given({}), "leak": "viscosity=2mPas,drop=3bar,along=y"})
+    told = json.loads((folder / "out/summary.json").read_text())["steps"][0]
+    words = {**given({}), "want_gap": True}
+    result = rc.solve(str(folder / words.pop("surface")), **words)
+    leak = result.leak(viscosity=2e-3, pressure_drop=3e5, along="y")
+    for name, value in (
+        ("leak", leak.flow),
+        ("leak_lower", leak.lower),
+        ("leak_upper", leak.upper),
+        ("constriction", leak.constriction),
+    ):
+        assert told[name] == pytest.approx(value, rel=1e-9), name
+    done = subprocess.run(
+        [
+            str(command),
+            "solve",
+            "surface.npy",
+            "--pitch",
+            "1um",
+            "--modulus",
+            "1GPa",
+            "--boundary",
+            "periodic",
+            "--closing-pressure",
+            "x",
+        ],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+    )
+    found = rc.closing_pressure(str(folder / "surface.npy"), pitch="1um", modulus="1GPa", boundary="periodic")
+    assert re.findall(r"(\S+) MPa \(proven", done.stdout) == [f"{p / 1e6:.4g}" for p in (found.lower, found.upper)]
 
 
 def skip_without_pictures(word):

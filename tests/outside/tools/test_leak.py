@@ -1,0 +1,85 @@
+"""`solve --leak` and `solve --closing-pressure`."""
+
+import json
+import re
+
+import numpy as np
+from harness import CommandTest, main, rough, without_gnuplot
+
+FLUID = "viscosity=1mPas,drop=1bar"
+
+
+class Leaks(CommandTest):
+    def setUp(self):
+        super().setUp()
+        self.surface = [self.npy(rough(48, 48)), "--pitch", "1um", "--unit", "m", "--modulus", "1GPa", "--boundary", "periodic"]
+
+    def steps(self, *arguments):
+        done = self.solve(*self.surface, *arguments, "--out", "out", "--no-maps", env=without_gnuplot())
+        return done.stdout, json.loads((self.folder / "out/summary.json").read_text())
+
+    def test_steps_have_intervals_that_fall_with_the_pressure(self):
+        told, summary = self.steps("--pressure", "1MPa,5MPa,20MPa", "--leak", FLUID)
+        first, second, last = summary["steps"]
+        for step in (first, second):
+            self.assertTrue(0 < step["leak_lower"] <= step["leak"] <= step["leak_upper"] < 1.01 * step["leak_lower"])
+            self.assertTrue(step["constriction"] > 0 and 0 <= step["constriction_x"] < 48 and 0 <= step["constriction_y"] < 48)
+        self.assertGreater(first["leak_lower"], second["leak_upper"])
+        self.assertEqual((last["leak"], last["leak_upper"], last["gap_crosses"], last["constriction_x"]), (0, 0, "none", -1))
+        self.assertEqual((summary["input"]["viscosity"], summary["input"]["pressure_drop"], summary["input"]["leak_along"]), (1e-3, 1e5, "x"))
+        lines = re.findall(r"leak along x (\S+) m\^3/s, exact at this approach: (\S+) \.\. (\S+); lowest gap on the best path [\d.]+ nm", told)
+        np.testing.assert_allclose(np.array(lines[1], float), [second[name] for name in ("leak", "leak_lower", "leak_upper")], rtol=1e-3)
+        self.assertIn("leak along x 0: no path through the gap is left, proven", told)
+        header = (self.folder / "out/steps.csv").read_text().splitlines()[0]
+        self.assertIn("leak [m^3/s],leak_lower [m^3/s],leak_upper [m^3/s],constriction [m]", header)
+
+    def test_full_contact_has_no_bound(self):
+        told, summary = self.steps("--pressure", "1GPa", "--leak", FLUID)
+        self.assertEqual([summary["steps"][0][name] for name in ("leak", "leak_upper", "gap_crosses")], [0, None, "none"])
+        self.assertIn("leak along x 0 m^3/s, no bound is known\n", told)
+
+    def test_the_axis_is_that_of_the_word(self):
+        _, along_x = self.steps("--pressure", "1MPa", "--leak", FLUID)
+        _, along_y = self.steps("--pressure", "1MPa", "--leak", FLUID + ",along=y")
+        np.save(self.folder / "surface.npy", rough(48, 48).T.copy())
+        _, turned = self.steps("--pressure", "1MPa", "--leak", FLUID + ",along=y")
+        x, y, t = (each["steps"][0]["leak"] for each in (along_x, along_y, turned))
+        self.assertAlmostEqual(t / x, 1, places=4)
+        self.assertNotAlmostEqual(y / x, 1, places=2)
+
+    def test_a_history_with_leaks_goes_on_and_no_other(self):
+        _, whole = self.steps("--pressure", "1MPa,2MPa", "--leak", FLUID)
+        (self.folder / "out").rename(self.folder / "whole")
+        arguments = [*self.surface, "--leak", FLUID, "--out", "out", "--quiet"]
+        self.solve(*arguments, "--pressure", "1MPa", env=without_gnuplot())
+        self.solve(*arguments, "--pressure", "1MPa,2MPa", "--resume", env=without_gnuplot())
+        resumed = json.loads((self.folder / "out/summary.json").read_text())
+        for mine, other in zip(resumed["steps"], whole["steps"]):
+            self.assertEqual([mine[name] for name in ("leak_lower", "leak_upper")], [other[name] for name in ("leak_lower", "leak_upper")])
+        arguments[arguments.index(FLUID)] = "viscosity=2mPas,drop=1bar"
+        self.assert_fails("solve", *arguments, "--pressure", "1MPa,2MPa", "--resume", says="viscosity")
+
+    def test_the_pressure_that_closes(self):
+        done = self.solve(*self.surface, "--closing-pressure", "y")
+        found = re.fullmatch(
+            r"the gap closes along y between (\S+) MPa \(proven open, lowest gap on the best path \S+ .?m\) and (\S+) MPa \(proven closed, \S+ % in contact\)\n",
+            done.stdout,
+        )
+        lower, upper = map(float, found.groups())
+        self.assertTrue(0 < lower < upper < 1.011 * lower)
+        _, summary = self.steps("--pressure", "%gMPa,%gMPa" % (0.99 * lower, 1.01 * upper), "--leak", FLUID + ",along=y")
+        self.assertTrue(summary["steps"][0]["leak_lower"] > 0 == summary["steps"][1]["leak_upper"])
+        self.assertEqual(["y" in step["gap_crosses"] for step in summary["steps"]], [True, False])
+
+    def test_what_cannot_be_is_refused(self):
+        solve = ["solve", *self.surface]
+        self.assert_fails(*solve, "--closing-pressure", "y", "--out", "out", says="--closing-pressure has no steps")
+        self.assert_fails(*solve, "--closing-pressure", "z", says='"z"')
+        self.assert_fails(*solve, "--closing-pressure", "x", "--load", "1", says="only one of --load and --closing-pressure")
+        self.assert_fails(*solve, "--load", "1", "--leak", "drop=1bar", says="needs both viscosity and drop")
+        self.assert_fails(*solve, "--load", "1", "--leak", "viscosity=0,drop=1bar", says="is not positive")
+        self.assert_fails("law", *self.surface, "--pressure", "1MPa..2MPa", "--leak", FLUID, says="has no option")
+
+
+if __name__ == "__main__":
+    main()
