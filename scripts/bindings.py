@@ -77,7 +77,7 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
     if unknown:
         sys.exit(f"SCALARS and OPTIONAL name functions that the headers do not have: {', '.join(sorted(unknown))}")
     own, fortran, python = (
-        "the headers but surface.h, formats.h, ranks.h, mpi.h and plugin.h",
+        "the headers but surface.h, formats.h, flow.h, ranks.h, mpi.h and plugin.h",
         "bindings/fortran/roughcontact",
         "bindings/python/roughcontact",
     )
@@ -142,6 +142,18 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
             fortran_constants(formats),
             fortran_structs(formats),
             fortran_functions(formats),
+        ),
+        f"{fortran}_flow_interface.f90": fortran_module(
+            "roughcontact_flow_interface",
+            [
+                "The C interface of <roughcontact/flow.h>, name for name; units, rules and errors are described there. A program",
+                "that uses it links libroughcontact-flow, and is then under the GPL because of CHOLMOD.",
+            ],
+            ["  use roughcontact_structs"],
+            [""],
+            fortran_constants(flow),
+            fortran_structs(flow),
+            fortran_functions(flow),
         ),
         f"{fortran}_mpi_interface.f90": fortran_module(
             "roughcontact_mpi_interface",

@@ -29,7 +29,7 @@ SCALARS = {
 # Arguments that Fortran may leave out: NULL in C.
 OPTIONAL = {
     "rc_version": "major minor patch abi",
-    **dict.fromkeys(("rc_stop_when", "rc_surface_stop_when"), "flag"),
+    **dict.fromkeys(("rc_stop_when", "rc_surface_stop_when", "rc_flow_stop_when"), "flag"),
     "rc_context_create": "config",
     "rc_conductance": "lower upper",
     "rc_punch_stiffness": "lower upper",

@@ -1,4 +1,4 @@
-! The constants of the headers but surface.h, formats.h, ranks.h, mpi.h and plugin.h, name for name.
+! The constants of the headers but surface.h, formats.h, flow.h, ranks.h, mpi.h and plugin.h, name for name.
 ! Written by scripts/bindings.py.
 module roughcontact_constants
   use, intrinsic :: iso_c_binding

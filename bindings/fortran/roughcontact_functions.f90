@@ -1,4 +1,4 @@
-! The functions of the headers but surface.h, formats.h, ranks.h, mpi.h and plugin.h, name for name;
+! The functions of the headers but surface.h, formats.h, flow.h, ranks.h, mpi.h and plugin.h, name for name;
 ! units, rules and errors are described there.
 !
 ! Objects (context, options, contact) are type(c_ptr); c_null_ptr where C takes NULL. Names and keys are passed

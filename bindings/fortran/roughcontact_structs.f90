@@ -1,4 +1,4 @@
-! The structs of the headers but surface.h, formats.h, ranks.h, mpi.h and plugin.h, member for member,
+! The structs of the headers but surface.h, formats.h, flow.h, ranks.h, mpi.h and plugin.h, member for member,
 ! with the values of the RC_..._INIT macros.
 !
 ! Arrays are rc_const_array(c_loc(x)) and rc_array(c_loc(x)) of contiguous target arrays, x fastest: a Fortran array

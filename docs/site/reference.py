@@ -8,6 +8,7 @@ MODULES = {
     'roughcontact': 'All that solves: `use roughcontact`.',
     'roughcontact_surface': 'Makes and judges surfaces: `use roughcontact_surface`.',
     'roughcontact_formats': 'Reads surface files: `use roughcontact_formats`.',
+    'roughcontact_flow': 'Flow through gaps: `use roughcontact_flow`.',
 }
 SHOWN = 'briefdescription detaileddescription innerclass public-attrib enum define typedef func var user-defined'
 SOLVING = ('contacts', 'histories', 'derivatives', 'direct', 'laws', 'products', 'analysis', 'options', 'arrays', 'errors', 'strings')

@@ -13,12 +13,11 @@ import tempfile
 
 OF_C = ("rc_exchange", "rc_ranks_counts")
 HEADERS = ("history", "derivatives", "direct", "analysis", "law", "registry", "surface", "formats")
-WITHOUT_MODULE = ("flow", "request")
 PROGRAM = """program layouts
   use roughcontact
   use roughcontact_surface
   use roughcontact_formats
-  implicit none
+{uses}  implicit none
   logical :: failed = .false.
 {calls}
   if (failed) stop 1
@@ -44,9 +43,10 @@ def main() -> int:
     source, compiler, libraries, modules = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3], sys.argv[4:]
     golden = (source / "tests" / "contract" / "abi" / "golden.c").read_text()
     texts = {file.stem: file.read_text() for file in (source / "include" / "roughcontact").glob("*.h")}
-    headers, of_c = "".join(texts.values()), "".join(texts[name] for name in WITHOUT_MODULE)
+    flow = ["flow"] if "roughcontact_flow.f90" in modules else []  # where it is built
+    headers, of_c = "".join(texts.values()), "".join(texts[name] for name in ("flow", "request") if name not in flow)
     calls, bodies, structs = [], [], 0
-    begun = ["#include <string.h>", *(f"#include <roughcontact/{name}.h>" for name in HEADERS)]
+    begun = ["#include <string.h>", *(f"#include <roughcontact/{name}.h>" for name in (*HEADERS, *flow))]
     for name, value in re.findall(r"^VALUE\((\w+), (-?\d+)\);", golden, re.M):
         if not re.search(rf"\b{name}\b", of_c):
             calls.append(f"  call check('{name}', int({name}, c_size_t), {value})")
@@ -76,7 +76,7 @@ def main() -> int:
         bodies += [f"  subroutine check_{struct}()", *(f"    {line}" for line in lines), "  end subroutine"]
     with tempfile.TemporaryDirectory() as folder:
         program = pathlib.Path(folder) / "layouts.f90"
-        program.write_text(PROGRAM.format(calls="\n".join(calls), bodies="\n".join(bodies)))
+        program.write_text(PROGRAM.format(uses="".join(f"  use roughcontact_{name}\n" for name in flow), calls="\n".join(calls), bodies="\n".join(bodies)))
         program.with_suffix(".c").write_text("\n".join(begun) + "\n")
         subprocess.run(["cc", "-c", f"-I{source / 'include'}", "layouts.c", "-o", "begun.o"], check=True, cwd=folder)
         files = [str(source / "bindings" / "fortran" / module) for module in modules]
@@ -91,6 +91,7 @@ def main() -> int:
                 "layouts",
                 f"-L{libraries}",
                 f"-Wl,-rpath,{libraries}",
+                *(f"-lroughcontact-{name}" for name in flow),
                 "-lroughcontact-surface",
                 "-lroughcontact-formats",
                 "-lroughcontact",
