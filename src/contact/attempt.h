@@ -16,6 +16,7 @@ struct Attempt {
   bool warm = true;                      // coarser grids may also start from earlier steps
   std::vector<std::string> failed = {};  // names of components that "auto" passes over
   Remarks skipped = {};                  // why
+  std::int64_t look = 0;                 // the most iterations of a solver that only tries the grid; 0: it solves
 };
 
 // Facts of a step that later calls ask for: its explanation and its derivatives.

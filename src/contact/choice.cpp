@@ -5,6 +5,7 @@
 #include <string_view>
 #include <tuple>
 
+#include "contact/operators.h"
 #include "contact/problem.h"
 #include "contact/surface/trial_box.h"
 #include "core/error.h"
@@ -359,7 +360,9 @@ bool few(std::int64_t contacts, std::int64_t points, bool by_rows) {
   return contacts > 0 && static_cast<double>(contacts) <= few_share * static_cast<double>(points);
 }
 
-std::optional<Choice> choose_for_few(const rc_options& options, const System& system, std::int32_t control, bool by_rows) {
+std::optional<Choice> choose_for_few(const GridProblem& problem, std::int32_t control) {
+  const rc_options& options = problem.options;
+  const System& system = problem.system;
   if (!system.halfspace() || (!system.periodic() && !system.positive) ||
       system.points() < (system.periodic() ? least_dilute_of_period : least_dilute_points) ||
       options.text(RC_OPT_SOLVER) != "auto" || options.text(RC_OPT_WARMUP) != "none" ||
@@ -371,10 +374,10 @@ std::optional<Choice> choose_for_few(const rc_options& options, const System& sy
       .box = system.points(),
       .tol = options.real(RC_OPT_TOL),
       .few = !system.periodic(),
-      .shared = by_rows};
+      .shared = problem.rows().shared() ? system.periodic() : problem.operators().multiply_by_rows()};
   const std::vector<std::string> none;
   const std::vector<Candidate> all = answered({options, system, facts, none, false, true});
-  if (!can(all)) return std::nullopt;
+  if (!can(all) || !(all.front().solver->controls & static_cast<std::uint32_t>(control))) return std::nullopt;
   return Choice{all.front().solver, all.front().backend, facts};
 }
 

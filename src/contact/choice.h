@@ -65,9 +65,9 @@ std::string explained(const rc_options& options, const System& system, const Cho
 const rc_backend& certifying_backend(const std::string& name, const rc_options& options, const System& system);
 
 // For a step whose contact may be far sparser than its candidates: a backend that screens the points it does not look at, and the
-// solver for the others. Nothing if the options name others, or the grid is too small for that to pay. by_rows: processes
-// multiply together, each with its rows.
-std::optional<Choice> choose_for_few(const rc_options& options, const System& system, std::int32_t control, bool by_rows);
+// solver for the others. Nothing if the options name others, or the grid is too small for that to pay. Of processes that share
+// a periodic grid by rows, the backend makes each product with them together.
+std::optional<Choice> choose_for_few(const GridProblem& problem, std::int32_t control);
 // Whether contacts this dense are still few. by_rows: every process has all of them, and makes a part of each product.
 bool few(std::int64_t contacts, std::int64_t points, bool by_rows);
 

@@ -24,7 +24,6 @@ struct Step {
   Target target;
   rc_const_array p0 = {};  // [points of this process] pressures to start from, in this process's memory; or none
   bool warm = true;        // it may start from earlier steps
-  std::int64_t look = 0;   // the most iterations of a solver that only tries the grid; 0: it solves
 };
 inline Step step_of(const rc_step& step) { return {{step.control, step.target}, step.p0, step.warm_start != 0}; }
 

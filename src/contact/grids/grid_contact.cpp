@@ -133,7 +133,7 @@ Numbers GridContact::certify(const rc_step& step, const Outputs& outputs, std::o
   const Rest after(problem_);
   const std::atomic<bool> never{false};  // a cancellation is meant for a step
   Monitor once(never, {}, 0, 1, problem_.operators().spent());
-  Finished finished = certify_given(problem_, prepared, Attempt{once}, outputs, compression);
+  Finished finished = certify_given(problem_, prepared.target, Attempt{once}, outputs, compression);
   if (compression && problem_.goal.leaves_indentation) overlap_ = std::move(finished.overlap);
   return finished.numbers;
 }

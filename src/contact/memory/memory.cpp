@@ -6,7 +6,6 @@
 
 #include "core/error.h"
 #include "core/grid.h"
-#include "core/large_memory.h"
 
 namespace rc {
 
@@ -57,50 +56,6 @@ void Memory::forget() {
   last = before = {};
   indented = false;
   outcome.certified = 0;
-}
-
-double Memory::ahead(const Step& step) const {
-  if (step.p0.data || !step.warm || !last.same_gap || !before.same_gap) return 0;
-  const bool by_load = step.target.by_load();
-  const double newest = by_load ? last.load : last.approach, older = by_load ? before.load : before.approach;
-  const double part = (step.target.value - newest) / (newest - older);
-  // Pressures are not linear in the target: far ahead, or back beyond the older step, the line is a poor guess.
-  return part >= -1 && part <= 2 ? part : 0;
-}
-
-std::vector<double> Memory::start(const Step& step, const TrialSet& trial, double pressure_unit, double cap,
-                                  const Pressures* nearer, const rc_team& team) const {
-  std::vector<double> p;
-  if (nearer) {
-    p = nearer->at(trial);
-  } else if (step.p0.data) {
-    p = large_vector<double>(static_cast<std::size_t>(trial.n));
-    for (std::size_t i = 0; i < p.size(); ++i)
-      p[i] = value_at(step.p0, static_cast<std::size_t>(trial.point(static_cast<std::int64_t>(i))));
-  } else if (step.warm && !last.pressures.empty()) {
-    p = last.pressures.at(trial);
-    if (const double part = ahead(step); part != 0) {
-      const std::vector<double> older = before.pressures.at(trial);
-      for (std::size_t i = 0; i < p.size(); ++i) p[i] += part * (p[i] - older[i]);
-    }
-  } else {
-    return large_vector<double>(static_cast<std::size_t>(trial.n), team);
-  }
-  for (double& value : p) value = std::min(std::max(0.0, value / pressure_unit), cap);
-  return p;
-}
-
-KeptSteps Memory::history(const Step& step) const {
-  const bool from_last = !step.p0.data && step.warm && !last.pressures.empty();
-  return {from_last ? last.kept : KeptAnswer{}, before.kept, ahead(step), {}};
-}
-
-std::vector<double> Memory::earlier(const Step& step, const TrialSet& trial) const {
-  std::vector<double> p;
-  for (std::int64_t i = 0; step.p0.data && i < trial.n; ++i)
-    p.push_back(std::max(0.0, value_at(step.p0, static_cast<std::size_t>(trial.point(i)))));
-  if (!step.p0.data && step.warm && !last.pressures.empty()) p = last.pressures.at(trial);
-  return p;
 }
 
 std::int64_t Memory::contact_points(std::int64_t room, std::int64_t* index, double* p) const {

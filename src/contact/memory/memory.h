@@ -10,7 +10,6 @@
 #include "contact/kept_steps.h"
 #include "contact/surface/pressures.h"
 #include "contact/surface/step_surface.h"
-#include "contact/target.h"
 
 namespace rc {
 
@@ -34,16 +33,6 @@ struct Memory {
   // Drops the certified steps.
   void forget();
 
-  // How far beyond the last step the new target lies, in units of the last step's change; 0 if no extrapolation is possible.
-  double ahead(const Step& step) const;
-  // Dimensionless pressures of at most `cap` to start from. nearer: null, or pressures to prefer to the step's own and the last
-  // step's.
-  std::vector<double> start(const Step& step, const TrialSet& trial, double pressure_unit, double cap, const Pressures* nearer,
-                            const rc_team& team) const;
-  // The kept answers from which start(), called without `nearer`, builds its pressures.
-  KeptSteps history(const Step& step) const;
-  // Pressures there at the approach that a warm step comes from; empty if it comes from none.
-  std::vector<double> earlier(const Step& step, const TrialSet& trial) const;
   // Points and pressures of the last step's contact set, as many as there is room for; returns how many there are.
   std::int64_t contact_points(std::int64_t room, std::int64_t* index, double* p) const;
 };

@@ -150,11 +150,11 @@ Totals totals_of(const GridProblem& problem, const Deflected& answer, const Surv
 }
 
 // Answers, message and arrays. rate: the stiffness, if the answer has given its pressures away.
-Numbers certify_and_write(const GridProblem& problem, const Step& step, const Answer& answer, const Deflected& found,
+Numbers certify_and_write(const GridProblem& problem, const Target& target, const Answer& answer, const Deflected& found,
                           double depth, std::optional<Stiffness> rate, const Attempt& attempt, const Outputs& outputs) {
   if (!rate) rate = wanted_stiffness(problem, answer, attempt);
   std::optional<ProvenSets> proven;
-  Numbers numbers = certified_numbers(problem, step, answer, found, depth, rate->value, attempt, &proven);
+  Numbers numbers = certified_numbers(problem, target, answer, found, depth, rate->value, attempt, &proven);
   if (proven) {
     Operator* const op = proving(problem, answer, proven->possible, attempt);
     std::optional<Operator::Watch> watch;
@@ -177,7 +177,7 @@ double mean_gap(const GridProblem& problem, const Survey& everywhere, double ove
   return (everywhere.sum_of_gaps + overlap) / static_cast<double>(problem.surface.range().included);
 }
 
-Numbers certified_numbers(const GridProblem& problem, const Step& step, const Answer& by, const Deflected& answer,
+Numbers certified_numbers(const GridProblem& problem, const Target& target, const Answer& by, const Deflected& answer,
                           double compression, double stiffness, const Attempt& attempt, std::optional<ProvenSets>* proven) {
   const System& system = problem.system;
   const StepSurface& surface = problem.surface;
@@ -196,8 +196,8 @@ Numbers certified_numbers(const GridProblem& problem, const Step& step, const An
     if (asked && result.bounds.undecided >= 0 && sets.listed) *proven = std::move(sets);
   }
   result.certificate =
-      certify(surface, compression, answer, found, residual_scale(step.target, problem, compression), system.hardness);
-  if (step.target.by_load()) result.certificate.control = load_imbalance(result.load(system), step.target.value);
+      certify(surface, compression, answer, found, residual_scale(target, problem, compression), system.hardness);
+  if (target.by_load()) result.certificate.control = load_imbalance(result.load(system), target.value);
   if (std::isnan(result.certificate.dual) || !std::isfinite(result.load(system)) ||
       !std::isfinite(totals.energy * system.cell_area()))
     fail(RC_ERR_NUMERIC,
@@ -207,10 +207,10 @@ Numbers certified_numbers(const GridProblem& problem, const Step& step, const An
   if (by.choice.solver) copy_text(result.solver, by.choice.solver->name);
   if (by.choice.backend) copy_text(result.backend, by.choice.backend->name);
   result.modelled = by.op ? by.op->modelled() : 0;
-  const bool by_load = step.target.by_load();
-  const double limit = by_load ? surface.range().limit_of(compression) : step.target.value;
+  const bool by_load = target.by_load();
+  const double limit = by_load ? surface.range().limit_of(compression) : target.value;
   result.candidates = system.positive ? extent_below(limit, surface).n : surface.range().included;
-  const double reached = !by_load ? step.target.value : surface.range().included > 0 ? surface.lowest() + compression : 0;
+  const double reached = !by_load ? target.value : surface.range().included > 0 ? surface.lowest() + compression : 0;
   result.approach = reached + 0.0;  // never -0
   if (static_cast<std::int64_t>(answer.size()) == problem.own_points())
     result.mean_gap = mean_gap(problem, found, totals.overlap);
@@ -334,16 +334,16 @@ Overlap overlap_of(const GridProblem& problem, const Deflected& found, double co
 
 }  // namespace
 
-Finished certified_result(const GridProblem& problem, const Step& step, Answer&& answer, const Attempt& attempt,
+Finished certified_result(const GridProblem& problem, const Target& target, Answer&& answer, const Attempt& attempt,
                           const Outputs& outputs) {
   Stiffness rate = wanted_stiffness(problem, answer, attempt);
   Deflected found = deflected(problem, answer, outputs.gap.wanted());
   // After a stop the approach is made to fit the pressures, but not if points were screened: that holds for one approach.
-  const bool by_load = step.target.by_load(), stopped = by_load && answer.status != RC_OK && !answer.checked;
-  const double without = by_load ? 0 : step.target.compression(problem.surface);
+  const bool by_load = target.by_load(), stopped = by_load && answer.status != RC_OK && !answer.checked;
+  const double without = by_load ? 0 : target.compression(problem.surface);
   const double depth = !answer.op ? without : stopped ? fitting_compression(problem, found) : answer.compression;
   Overlap overlap = overlap_of(problem, found, depth);
-  Numbers numbers = certify_and_write(problem, step, answer, found, depth, std::move(rate), attempt, outputs);
+  Numbers numbers = certify_and_write(problem, target, answer, found, depth, std::move(rate), attempt, outputs);
   return {numbers, std::move(found.pressures), std::move(overlap), std::move(answer.history.own), answer.choice};
 }
 
@@ -361,7 +361,7 @@ Deflected deflection(const GridProblem& problem, const TrialSet& trial, std::vec
   return result;
 }
 
-Finished certify_given(const GridProblem& problem, const Step& step, const Attempt& attempt, const Outputs& outputs,
+Finished certify_given(const GridProblem& problem, const Target& target, const Attempt& attempt, const Outputs& outputs,
                        std::optional<double> compression) {
   const Rows& rows = problem.rows();
   TrialSet trial;
@@ -377,10 +377,10 @@ Finished certify_given(const GridProblem& problem, const Step& step, const Attem
   });
   Answer answer;
   if (rows.any(trial.n > 0)) given = deflection(problem, all_if_kept(std::move(trial), problem), std::move(p), answer, attempt);
-  const double depth = !step.target.by_load() ? step.target.compression(problem.surface)
-                       : compression          ? *compression
-                                              : fitting_compression(problem, given);
-  Numbers numbers = certify_and_write(problem, step, answer, given, depth, std::nullopt, attempt, outputs);
+  const double depth = !target.by_load() ? target.compression(problem.surface)
+                       : compression     ? *compression
+                                         : fitting_compression(problem, given);
+  Numbers numbers = certify_and_write(problem, target, answer, given, depth, std::nullopt, attempt, outputs);
   copy_text(numbers.solver, "none");
   return {.numbers = numbers, .overlap = overlap_of(problem, given, depth)};
 }

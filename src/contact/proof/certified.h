@@ -21,11 +21,11 @@ struct Finished {
 
 // Certifies the answer of a step and writes the caller's arrays at last. answer: default constructed if nothing touches, or if a
 // stop came before any answer.
-Finished certified_result(const GridProblem& problem, const Step& step, Answer&& answer, const Attempt& attempt,
+Finished certified_result(const GridProblem& problem, const Target& target, Answer&& answer, const Attempt& attempt,
                           const Outputs& outputs);
 // The same for the pressures in outputs.p. compression: by load; without it the one that fits them. Of what is finished only
 // numbers and overlap are set.
-Finished certify_given(const GridProblem& problem, const Step& step, const Attempt& attempt, const Outputs& outputs,
+Finished certify_given(const GridProblem& problem, const Target& target, const Attempt& attempt, const Outputs& outputs,
                        std::optional<double> compression = std::nullopt);
 
 // The parts of certified_result, for answers that are finished in another way.
@@ -42,7 +42,7 @@ Deflected deflection(const GridProblem& problem, const TrialSet& trial, std::vec
 double fitting_compression(const GridProblem& problem, const Deflected& answer);
 // Certificate, bounds and all that follows from pressures, product and stiffness. The status is RC_OK or RC_UNCERTIFIED. proven:
 // null, or what an interval of the stiffness needs.
-Numbers certified_numbers(const GridProblem& problem, const Step& step, const Answer& answer, const Deflected& found,
+Numbers certified_numbers(const GridProblem& problem, const Target& target, const Answer& answer, const Deflected& found,
                           double compression, double stiffness, const Attempt& attempt,
                           std::optional<ProvenSets>* proven = nullptr);
 // Over the included points [length], from a survey of all points. overlap: the sum over the points at the hardness, whose gap is

@@ -260,7 +260,7 @@ bool takes_gap(const rc_solver& solver, const rc_options& options) {
   return (solver.needs & RC_READS_GAP) && !warms_up(solver, options);
 }
 
-SolverRun::SolverRun(const GridProblem& posed, Answer& answer, const Attempt& under, std::int64_t look, KeptSteps* history)
+SolverRun::SolverRun(const GridProblem& posed, Answer& answer, const Attempt& under, KeptSteps* history)
     : problem(posed),
       choice(answer.choice),
       op(*answer.op),
@@ -271,9 +271,9 @@ SolverRun::SolverRun(const GridProblem& posed, Answer& answer, const Attempt& un
       length_unit(posed.system.halfspace() ? answer.units.length : 0),
       pressure_unit(posed.system.halfspace() ? answer.units.pressure : 0),
       cap(answer.units.cap()),
-      most_iterations(look > 0 ? look : std::numeric_limits<std::int64_t>::max()),
+      most_iterations(under.look > 0 ? under.look : std::numeric_limits<std::int64_t>::max()),
       history_(history),
-      warmed_up_(look > 0) {}
+      warmed_up_(under.look > 0) {}
 
 rc_status SolverRun::operator()(std::int32_t control, std::span<const double> u, double load, double tol, double approach,
                                 std::vector<double>& p, double& d) {

@@ -19,11 +19,9 @@ struct BoundProblem;
 // Runs one solver for one answer. It makes the solver's problem and its services.
 class SolverRun {
  public:
-  // Runs the solver of answer.choice on answer.op; its remarks go to the answer. look: the most iterations of a solver that only
-  // tries the grid; 0: it solves. history: null, or what the first run's start was made of, with room for what its solver keeps
-  // of its answer. All must outlive it.
-  SolverRun(const GridProblem& problem, Answer& answer, const Attempt& attempt, std::int64_t look = 0,
-            KeptSteps* history = nullptr);
+  // Runs the solver of answer.choice on answer.op; its remarks go to the answer. history: null, or what the first run's start was
+  // made of, with room for what its solver keeps of its answer. All must outlive it.
+  SolverRun(const GridProblem& problem, Answer& answer, const Attempt& attempt, KeptSteps* history = nullptr);
 
   // Approach control: w = H p - u, residual relative to 1. Load control: w = H p - u - d, relative to d + max u.
   // p and d: start in, answer out. `approach`: the grid's. u may be empty for a solver that reads the gap.

@@ -5,11 +5,9 @@
 #include <utility>
 
 #include "contact/operators.h"
-#include "contact/step/by_approach.h"
-#include "contact/step/by_load.h"
-#include "contact/step/few.h"
 #include "contact/step/sparse_by_rows.h"
 #include "contact/step/sparse_contact.h"
+#include "contact/step/whole_contact.h"
 #include "core/error.h"
 
 namespace rc {
@@ -49,31 +47,27 @@ bool pass_over(const GridProblem& problem, const Error& error, Attempt& attempt)
   return true;
 }
 
-Answer answer_of(const GridProblem& problem, const Memory& memory, const Step& step, const std::optional<Estimate>& nearer,
+Answer answer_of(const GridProblem& problem, const Target& target, const Start& start, const std::optional<Estimate>& nearer,
                  Pyramid& pyramid, const Attempt& attempt) {
-  std::optional<Estimate> estimate = nearer;
-  if (nearer) {
-    if (std::optional<Answer> few = solve_if_few(problem, memory, step, *nearer, attempt)) return std::move(*few);
-  } else {
-    SparseContact sparse = sparse_contact(problem, memory, step, pyramid, attempt);
-    if (sparse.answer) return std::move(*sparse.answer);
-    estimate = std::move(sparse.instead);
-  }
-  return step.target.by_load() ? at_load(problem, memory, step, attempt, std::move(estimate))
-                               : at_approach(problem, memory, step, attempt, estimate);
+  SparseContact sparse = nearer ? SparseContact{sparse_contact_near(*nearer, problem, target, attempt), nearer}
+                                : sparse_contact(problem, target, start, pyramid, attempt);
+  if (sparse.answer) return std::move(*sparse.answer);
+  return whole_contact(problem, target, start, attempt, std::move(sparse.instead));
 }
 
 Finished solve_and_certify(const GridProblem& problem, const Memory& memory, const Step& step, const Outputs& outputs,
                            const std::optional<Estimate>& nearer, Attempt& attempt) {
-  if (!step.target.touches(problem.surface)) return certified_result(problem, step, {}, attempt, outputs);
+  const Target& target = step.target;
+  if (!target.touches(problem.surface)) return certified_result(problem, target, {}, attempt, outputs);
   if (std::optional<Finished> sparse = sparse_by_rows(problem, memory, step, attempt, outputs)) return std::move(*sparse);
+  const Start start(memory, step);
   Pyramid pyramid(problem);
   std::optional<Error> first;         // why "auto" passed over the first backend
   std::optional<Finished> delivered;  // an answer that is not certified: the caller's arrays hold it if nothing better follows
   for (;;) {
     try {
-      Answer answer = answer_of(problem, memory, step, nearer, pyramid, attempt);
-      Finished found = certified_result(problem, step, std::move(answer), attempt, outputs);
+      Answer answer = answer_of(problem, target, start, nearer, pyramid, attempt);
+      Finished found = certified_result(problem, target, std::move(answer), attempt, outputs);
       const rc_status status = found.numbers.status;
       const bool hopeless = status == RC_STOP_STALLED || status == RC_UNCERTIFIED;
       const std::string reason = hopeless ? join("which ended with: ", rc_status_text(status)) : "";

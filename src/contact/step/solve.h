@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "contact/memory/memory.h"
+#include "contact/memory/start.h"
 #include "contact/problem.h"
 #include "contact/proof/certified.h"
 #include "contact/target.h"

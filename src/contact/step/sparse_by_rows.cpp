@@ -8,7 +8,6 @@
 #include "contact/operators.h"
 #include "contact/proof/plausibility.h"
 #include "contact/proof/survey.h"
-#include "contact/sparse/screening.h"
 #include "contact/step/sparse_contact.h"
 
 namespace rc {
@@ -16,13 +15,11 @@ namespace rc {
 namespace {
 
 // Whether all processes have the same components for it: one may lack a plugin.
-bool all_can(const GridProblem& problem, const Step& step) {
+bool all_can(const GridProblem& problem, std::int32_t control) {
   struct Names {
     char solver[64] = "", backend[64] = "";
   } mine;
-  const bool by_rows = problem.system.periodic();
-  if (const std::optional<Choice> choice = choose_for_few(problem.options, problem.system, step.target.control, by_rows);
-      choice && (by_rows || screens(*choice))) {
+  if (const std::optional<Choice> choice = choose_for_few(problem, control)) {
     std::snprintf(mine.solver, sizeof mine.solver, "%s", choice->solver->name);
     std::snprintf(mine.backend, sizeof mine.backend, "%s", choice->backend->name);
   }
@@ -76,7 +73,7 @@ double write_gap(const GridProblem& problem, const Finished& mine, const Attempt
 std::optional<Finished> sparse_by_rows(const GridProblem& problem, const Memory& memory, const Step& step, const Attempt& attempt,
                                        const Outputs& outputs) {
   const Rows& rows = problem.rows();
-  if (!rows.shared() || step.p0.data || !all_can(problem, step)) return std::nullopt;
+  if (!rows.shared() || step.p0.data || !all_can(problem, step.target.control)) return std::nullopt;
   const rc_system& system = problem.system.given;
   const std::int64_t contacts = step.warm ? contacts_of(memory.last, problem) : 0;
   const double before = step.target.by_load() ? memory.last.load : memory.last.approach;
@@ -97,8 +94,8 @@ std::optional<Finished> sparse_by_rows(const GridProblem& problem, const Memory&
     if (sparse(contacts)) known.last = gathered(memory.last, problem);
     if (older_sparse) known.before = gathered(memory.before, problem);
     Pyramid pyramid(*all);
-    if (std::optional<Answer> answer = sparse_contact(*all, known, step, pyramid, attempt).answer)
-      finished = certified_result(*all, step, std::move(*answer), attempt, {});
+    if (std::optional<Answer> answer = sparse_contact(*all, step.target, {known, step}, pyramid, attempt).answer)
+      finished = certified_result(*all, step.target, std::move(*answer), attempt, {});
   });
   if (!finished || finished->numbers.status == RC_STOP_STALLED || finished->numbers.status == RC_UNCERTIFIED) return std::nullopt;
 

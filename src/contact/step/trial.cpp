@@ -42,10 +42,10 @@ TrialSet trial_below(double limit, const GridProblem& problem) {
   return problem.system.positive ? points_below(limit, problem.surface) : included_points(problem.surface);
 }
 
-Trial::Trial(const GridProblem& problem, const Step& step, TrialSet set, double unit, const Attempt& attempt,
+Trial::Trial(const GridProblem& problem, const Target& target, TrialSet set, double unit, const Attempt& attempt,
              std::optional<Choice> choice)
-    : problem_(problem), step_(step), set_(std::move(set)), attempt_(attempt) {
-  const Choice by = choice ? *choice : choose_for(problem, set_, step.target.control, attempt.failed, step.look > 0);
+    : problem_(problem), target_(target), set_(std::move(set)), attempt_(attempt) {
+  const Choice by = choice ? *choice : choose_for(problem, set_, target.control, attempt.failed, attempt.look > 0);
   answer = answer_in(unit, by, problem.system);
   if (!choice) set_ = widened(std::move(set_), answer.choice, problem);
 }
@@ -55,21 +55,30 @@ void Trial::bind(double zero_mode) {
   answer.op = &problem_.operators().bound(*answer.choice.backend, set_);
 }
 
-void Trial::start(const Memory& memory, const Step& from, const Pressures* nearer) {
-  problem_.rows().on_all(
-      [&] { answer.p = memory.start(from, set_, answer.units.pressure, answer.units.cap(), nearer, problem_.team()); });
-}
+void Trial::start(const Pressures& estimate) { answer.p = dimensionless(estimate, set_, answer.units); }
 
-void Trial::continue_from(const Memory& memory, const Step& from, bool of_earlier) {
+void Trial::start(const Start& from, const Pressures* nearer) {
+  problem_.rows().on_all([&] {
+    answer.p = nearer ? dimensionless(*nearer, set_, answer.units) : from.pressures(set_, answer.units, problem_.team());
+  });
   follows_ = true;
-  if (of_earlier) answer.history = memory.history(from);
-  if (problem_.options.integer(RC_OPT_STIFFNESS) != 0) answer.before = memory.earlier(from, set_);
+  if (!nearer) answer.history = from.kept();
+  if (problem_.options.integer(RC_OPT_STIFFNESS) != 0) answer.before = from.earlier(set_);
 }
 
-void Trial::solve(double load, double tol, double datum, double& d) {
+double Trial::load() const { return target_.by_load() ? target_.value / problem_.system.cell_area() / answer.units.pressure : 0; }
+
+// The tolerance is a little less than that of the step, because the certificate's product rounds differently.
+void Trial::solve(double first) {
+  const bool by_load = target_.by_load();
+  const double unit = answer.units.length, datum = by_load ? problem_.surface.lowest() : target_.value;
+  const double scale = by_load ? 1 : residual_scale(target_, problem_, unit) / unit;
+  const double tol = 0.98 * problem_.options.real(RC_OPT_TOL) * scale;
   const std::vector<double> u = penetrations(answer, datum, problem_);
-  SolverRun run(problem_, answer, attempt_, step_.look, follows_ ? &answer.history : nullptr);
-  answer.status = run(step_.target.control, u, load, tol, datum, answer.p, d);
+  SolverRun run(problem_, answer, attempt_, follows_ ? &answer.history : nullptr);
+  double d = by_load ? first : 0;
+  answer.status = run(target_.control, u, load(), tol, datum, answer.p, d);
+  answer.compression = by_load ? d * unit : target_.compression(problem_.surface);
 }
 
 }  // namespace rc

@@ -193,7 +193,7 @@ std::optional<Numbers> AccuracyGoal::solve(GridContact& given, const Step& step,
   if (found.status != RC_OK) {
     Answer none;
     none.status = found.status;
-    Finished finished = certified_result(given.problem(), step, std::move(none), Attempt{monitor}, outputs);
+    Finished finished = certified_result(given.problem(), step.target, std::move(none), Attempt{monitor}, outputs);
     Numbers numbers = finished.numbers;
     if (numbers.status == RC_OK) given.remember(std::move(finished), {});
     return numbers;

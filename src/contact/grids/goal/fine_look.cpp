@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "contact/grids/goal/accuracy_goal.h"
-#include "contact/step/by_approach.h"
-#include "contact/step/few.h"
+#include "contact/step/sparse_contact.h"
+#include "contact/step/whole_contact.h"
 #include "core/error.h"
 
 namespace rc {
@@ -63,19 +63,19 @@ std::optional<Numbers> AccuracyGoal::look(GridContact& given, const Step& step, 
   const Grid& grid = grids_[found.grid - 1];
   const GridProblem& coarse = grid.contact->problem();
   // Also prescribes the coarser grid's approach in load control, because the goal is about the load that belongs to it.
-  const Step at{{RC_CONTROL_APPROACH, found.estimate->approach}, {}, false, look_steps};
+  const Target at{RC_CONTROL_APPROACH, found.estimate->approach};
   found.status = RC_OK;
   const auto mean_gap = [&] { return surface.lowest() + surface.moments().mean; };
-  if (system.periodic() && surface.range().whole && at.target.value >= mean_gap()) return std::nullopt;  // no load belongs to it
+  if (system.periodic() && surface.range().whole && at.value >= mean_gap()) return std::nullopt;  // no load belongs to it
   Answer answer;
   Deflected corrected;
   std::vector<double> kept;
   bool screened = false;
   rc_status ended = RC_OK;
-  const Attempt attempt{monitor, step.warm};
+  const Attempt attempt{.monitor = monitor, .warm = step.warm, .look = look_steps};
   try {
-    std::optional<Answer> sparse = solve_if_few(problem, given.memory(), at, *found.estimate, attempt);
-    answer = sparse ? std::move(*sparse) : at_approach(problem, given.memory(), at, attempt, found.estimate);
+    std::optional<Answer> sparse = sparse_contact_near(*found.estimate, problem, at, attempt);
+    answer = sparse ? std::move(*sparse) : whole_contact(problem, at, {}, attempt, found.estimate);
     if (std::any_of(answer.p.begin(), answer.p.end(), [](double p) { return p < 0; })) answer.checked.reset();
     for (double& p : answer.p) p = std::max(0.0, p);
     screened = answer.checked.has_value();
@@ -125,7 +125,7 @@ std::optional<Numbers> AccuracyGoal::look(GridContact& given, const Step& step, 
   }
   const bool wanted = problem.options.integer(RC_OPT_STIFFNESS) != 0;
   const double rate = wanted ? grid.numbers.stiffness.value : std::numeric_limits<double>::quiet_NaN();
-  Numbers numbers = certified_numbers(problem, step, answer, corrected, depth, rate, attempt);
+  Numbers numbers = certified_numbers(problem, step.target, answer, corrected, depth, rate, attempt);
   copy_text(numbers.solver, grid.numbers.solver);
   copy_text(numbers.backend, grid.numbers.backend);
   numbers.status = RC_WITHIN_GOAL;

@@ -1,6 +1,6 @@
-// Load control: a trial set that surely holds the contact set, and for solvers that only know approach control an iteration
-// on the approach.
-#include "contact/step/by_load.h"
+// Under a prescribed load the trial set is one that surely holds the contact set, and solvers that only know approach control are
+// called by an iteration on the approach.
+#include "contact/step/whole_contact.h"
 
 #include <algorithm>
 #include <cmath>
@@ -95,27 +95,33 @@ rc_status balance_load(Answer& answer, double load, double shift, double first, 
   return RC_STOP_STALLED;
 }
 
-}  // namespace
+Answer at_approach(const GridProblem& problem, const Target& target, const Start& start, const Attempt& attempt,
+                   const Pressures* nearer) {
+  Trial trial(problem, target, trial_below(target.value, problem), target.compression(problem.surface), attempt);
+  trial.bind();
+  trial.start(start, nearer);
+  trial.answer.limit = trial.answer.units.length;
+  trial.solve();
+  return std::move(trial.answer);
+}
 
-Answer at_load(const GridProblem& problem, const Memory& memory, const Step& step, const Attempt& attempt,
+Answer at_load(const GridProblem& problem, const Target& target, const Start& start, const Attempt& attempt,
                std::optional<Estimate> estimate) {
   const System& system = problem.system;
   const StepSurface& surface = problem.surface;
   const Rows& rows = problem.rows();
-  const CertifiedStep& last = memory.last;
-  const double lowest = surface.lowest(), load = step.target.value / system.cell_area();
-  const double ratio = last.load > 0 ? step.target.value / last.load : infinite;
-  const bool near = step.warm && ratio <= farthest_load && ratio >= 1 / farthest_load, warm = near && last.same_gap;
+  const CertifiedStep& last = start.last();
+  const double lowest = surface.lowest(), load = target.value / system.cell_area();
+  const double ratio = last.load > 0 ? target.value / last.load : infinite;
+  const bool near = ratio <= farthest_load && ratio >= 1 / farthest_load, warm = near && last.same_gap;
   const bool narrow = estimate && !estimate->dense;
   double height = narrow               ? growth * (estimate->approach - lowest)
-                  : system.halfspace() ? approach_estimate(step.target.value, warm && !memory.indented, problem, last)
+                  : system.halfspace() ? approach_estimate(target.value, warm && !start.indented(), problem, last)
                                        : surface.range().highest - lowest;
   if (!(height > 0)) height = load * system.length_per_pressure;
-  Step from = step;
-  from.warm = near;
+  const Start from = near ? start : start.cold();
   const bool foretold = warm || estimate;
-  const double likely =
-      estimate ? estimate->approach : last.approach + memory.ahead(step) * (last.approach - memory.before.approach);
+  const double likely = estimate ? estimate->approach : last.approach + start.ahead() * (last.approach - start.before().approach);
   std::optional<Pressures> nearer;
   if (estimate) nearer = std::move(estimate->pressures);
   bool handed_over = false;
@@ -127,7 +133,7 @@ Answer at_load(const GridProblem& problem, const Memory& memory, const Step& ste
       limit = lowest + height;
       set = trial_below(limit, problem);
     }
-    Trial trial(problem, step, std::move(set), height, attempt);
+    Trial trial(problem, target, std::move(set), height, attempt);
     Answer& answer = trial.answer;
     const bool direct = !handed_over && (answer.choice.solver->controls & RC_CONTROL_LOAD) != 0;
     answer.handed_over = handed_over;
@@ -136,19 +142,20 @@ Answer at_load(const GridProblem& problem, const Memory& memory, const Step& ste
     // determines the load even in full contact.
     const double zero_mode = system.periodic() && !direct ? system.bounds.lambda_most : 0;
     trial.bind(zero_mode);
-    trial.start(memory, from, nearer ? &*nearer : nullptr);
-    trial.continue_from(memory, from, !nearer);
+    trial.start(from, nearer ? &*nearer : nullptr);
     nearer.reset();
-    const double wanted = load / answer.units.pressure, per_load = zero_mode / static_cast<double>(system.points());
     if (direct) {
-      double d = foretold ? std::clamp((likely - lowest) / height, 0.0, 1.0) : 0;
-      trial.solve(wanted, solver_tol(problem), lowest, d);
-      answer.compression = d;
+      trial.solve(foretold ? std::clamp((likely - lowest) / height, 0.0, 1.0) : 0);
     } else {
       double first = foretold && likely > lowest ? (likely - lowest) / height : 1;
       if (system.periodic() && !foretold) first = (lowest + surface.moments().mean - lowest) / height;
+      const double wanted = trial.load(), per_load = zero_mode / static_cast<double>(system.points());
       const double shift = zero_mode * wanted / static_cast<double>(system.points());
       answer.status = balance_load(answer, wanted, shift, first, problem, attempt);
+      // The zero mode is taken out with the load that the pressures have, which is not quite the one wanted.
+      const double sum = zero_mode != 0 ? std::accumulate(answer.p.begin(), answer.p.end(), 0.0) : 0;
+      answer.datum_shift = per_load * sum * height;
+      answer.compression = (answer.compression + per_load * (wanted - sum)) * height;
     }
     if (direct && !rows.shared() && answer.status == RC_STOP_STALLED &&
         (problem.options.integer(RC_OPT_ALLOW_FALLBACK) != 0 || answer.op->has_subset())) {
@@ -156,16 +163,20 @@ Answer at_load(const GridProblem& problem, const Memory& memory, const Step& ste
       handed_over = true;
       continue;
     }
-    // The zero mode is taken out with the load that the pressures have, which is not quite the one wanted.
-    const double sum = zero_mode != 0 ? std::accumulate(answer.p.begin(), answer.p.end(), 0.0) : 0;
-    answer.datum_shift = per_load * sum * height;
-    answer.compression = (answer.compression + per_load * (wanted - sum)) * height;
     const bool covered = rows.shared() || trial.set().n == surface.range().included || answer.compression <= answer.limit;
     const bool finite = std::isfinite(answer.compression);  // else the certificate reports it
     if (covered || !finite || answer.status != RC_OK || round == most_widenings) return std::move(answer);
     height = growth * answer.compression;
     nearer = answer.pressures();
   }
+}
+
+}  // namespace
+
+Answer whole_contact(const GridProblem& problem, const Target& target, const Start& start, const Attempt& attempt,
+                     std::optional<Estimate> estimate) {
+  if (target.by_load()) return at_load(problem, target, start, attempt, std::move(estimate));
+  return at_approach(problem, target, start, attempt, estimate ? &estimate->pressures : nullptr);
 }
 
 }  // namespace rc
