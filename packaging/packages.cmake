@@ -97,8 +97,11 @@ rc_package(libroughcontact-flow0 COMPONENTS flow SECTION libs LIBRARY roughconta
   SUMMARY "leaks through the gaps of rough contacts - shared library"
   DESCRIPTION ${rc_about} "." "This package has the library that computes how much fluid leaks through a gap, with a"
     "proven interval. It links CHOLMOD and is therefore under the GPL.")
+if(TARGET roughcontact_flow)
+  set(flow libroughcontact-flow0)
+endif()
 rc_package(libroughcontact-dev COMPONENTS development fortran octave SECTION libdevel NOTICES eigen gsl
-  DEPENDS libroughcontact0 libroughcontact-surface0 libroughcontact-formats0 libroughcontact-request0
+  DEPENDS libroughcontact0 libroughcontact-surface0 libroughcontact-formats0 libroughcontact-request0 ${flow}
   RECOMMENDS libgsl-dev libzip-dev libpugixml-dev zlib1g-dev SUGGESTS pkg-config gfortran octave-dev
   SUMMARY "certified normal contact of rough surfaces - development files"
   DESCRIPTION ${rc_about} "." "This package has headers, static libraries, pkg-config files, a CMake package"
@@ -114,7 +117,7 @@ rc_package(libroughcontact-backend-cholmod COMPONENTS backend-cholmod SECTION li
   DESCRIPTION ${rc_about} "." "This package has the plugin cholmod, factorisations by SuiteSparse. It links"
     "CHOLMOD and is therefore under the GPL.")
 rc_package(roughcontact-tools COMPONENTS tools SECTION science NOTICES gsl cli11 json
-  DEPENDS libroughcontact0 libroughcontact-surface0 RECOMMENDS libroughcontact-backend-split gnuplot-nox
+  DEPENDS libroughcontact0 libroughcontact-surface0 ${flow} RECOMMENDS libroughcontact-backend-split gnuplot-nox
   SUGGESTS libroughcontact-backend-cholmod
   SUMMARY "certified normal contact of rough surfaces - command"
   DESCRIPTION ${rc_about} "." "This package has the command roughcontact, which presses measured or generated"
@@ -122,7 +125,7 @@ rc_package(roughcontact-tools COMPONENTS tools SECTION science NOTICES gsl cli11
 rc_package(python3-roughcontact COMPONENTS python SECTION python ALL
   DEPENDS "libroughcontact0 (>= ${PROJECT_VERSION})" "libroughcontact-surface0 (>= ${PROJECT_VERSION})"
     "libroughcontact-formats0 (>= ${PROJECT_VERSION})" "libroughcontact-request0 (>= ${PROJECT_VERSION})" python3 python3-numpy
-  RECOMMENDS libroughcontact-backend-split SUGGESTS python3-matplotlib python3-pandas python3-xarray
+  RECOMMENDS libroughcontact-backend-split ${flow} SUGGESTS python3-matplotlib python3-pandas python3-xarray
   SUMMARY "certified normal contact of rough surfaces - Python module"
   DESCRIPTION ${rc_about} "." "This package has the Python module roughcontact.")
 
