@@ -73,6 +73,7 @@ std::unique_ptr<rc_request> made(const rc_request_spec& spec) {
   check_spec(spec);
   auto request = std::make_unique<rc_request>();
   const Words words{spec};
+  request->spelling = words.spelling;
   Units units;
   units.si = spec.numbers == RC_NUMBERS_SI;
   if (const Given* const unit = words.find("unit")) {
@@ -109,6 +110,22 @@ std::unique_ptr<rc_request> made(const rc_request_spec& spec) {
   view.si = units.si ? 1 : 0;
   view.format = request->format.c_str();
   return request;
+}
+
+// The note, with the words that help against what it doubts.
+std::string with_words(const Spelling& spelling, std::string note) {
+  const std::pair<std::string_view, std::string> helps[] = {
+      {"level them", join(" with ", spelling.value("remove", "plane"))},
+      {"the map for a spike", join(", which ", spelling.value("despike", "10"), " takes out")}};
+  for (const auto& [doubt, help] : helps)
+    if (const auto place = note.find(doubt); place != note.npos) note.insert(place + doubt.size(), help);
+  return note;
+}
+
+rc_smooth smooth_of(const rc_request& request, double load) {
+  rc_smooth found = RC_SMOOTH_INIT;
+  smooth_contact(*request.shape, request.view.system, load, request.view.si == 1, found);
+  return found;
 }
 
 }  // namespace
@@ -188,8 +205,19 @@ rc_status rc_request_smooth(const rc_request* request, double load, rc_smooth* o
     check_size(out, "rc_smooth");
     const rc_system& s = request->view.system;
     if (s.op != RC_OPERATOR_HALFSPACE) fail(RC_ERR_ARGUMENT, "the system is no half-space");
-    rc_smooth found = RC_SMOOTH_INIT;
-    smooth_contact(*request->shape, s, load, request->view.si == 1, found);
-    write(out, found);
+    if (!(load >= 0) || !std::isfinite(load)) fail(RC_ERR_ARGUMENT, "load = ", load, " must be 0 or more, and finite");
+    write(out, smooth_of(*request, load));
+  });
+}
+
+rc_status rc_request_note(const rc_request* request, const char* note, double load, size_t size, char* text) {
+  return rc::request::guard([&] {
+    if (!request || !note || !text || size == 0) fail(RC_ERR_ARGUMENT, "request, note or text is null, or size 0");
+    std::string all = with_words(request->spelling, note);
+    if (request->shape && load > 0 && request->view.system.op == RC_OPERATOR_HALFSPACE) {
+      const std::string remark = smooth_of(*request, load).remark;
+      all += (all.empty() || remark.empty() ? "" : "; ") + remark;
+    }
+    std::snprintf(text, size, "%s", all.c_str());
   });
 }

@@ -168,10 +168,13 @@ void set_boundary(const Words& words, rc_request& request) {
     boundary = periodic == 1 ? RC_BOUNDARY_PERIODIC : RC_BOUNDARY_FREE;
   } else if (request.shape || periodic == 0) {
     boundary = RC_BOUNDARY_FREE;
-    if (!request.shape && !request.format.empty())
+    if (request.shape) {
+      assume(RC_REMARK_ENDS, RC_FACT, "boundary free, as the shape ends somewhere");
+    } else if (!request.format.empty()) {
       assume(RC_REMARK_ENDS, RC_ASSUMED,
              join("boundary free, the file says that the surface does not repeat; ", words.spelling.value("boundary", "periodic"),
                   " if it is a sample of a larger one"));
+    }
   } else {
     boundary = RC_BOUNDARY_PERIODIC;
     if (periodic == 1) return;

@@ -19,6 +19,7 @@ struct rc_request {
   std::vector<double> targets;
   std::string loading, format;
   std::optional<rc::request::Shape> shape;
+  rc::request::Spelling spelling;
   std::vector<std::pair<std::string, std::string>> options;
 
   struct Remark {

@@ -34,11 +34,41 @@ std::string length_text(const Units& units, double length, int digits) {
   return units.si ? with_prefix(length, "m", digits) : in_digits(length, digits);
 }
 
+// Refuses metres that only a mistaken unit explains. length: a pitch or a range of heights without a unit.
+void check_bare(const Words& words, const Units& units, const std::string& what, double length) {
+  constexpr double largest = 1e-2;  // [m], of a map that is pressed as a rough surface
+  if (!units.si || units.bare.name || !(length > largest)) return;
+  throw Error(what, " would be ", with_prefix(length, "m"), ", as lengths without a unit are in m: give ", words.spelt("unit"),
+              ", their unit (", words.spelling.value("unit", "m"), " if that is meant)");
+}
+
+void check_bare_heights(const Words& words, const Units& units, const Map& map) {
+  if (map.bare.find("heights") == map.bare.npos && map.bare != "lengths") return;
+  if (!map.z) return;
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (std::size_t i = 0; i < map.points(); ++i) {
+    if (!std::isfinite(map.z[i])) continue;
+    least = std::min(least, map.z[i]);
+    most = std::max(most, map.z[i]);
+  }
+  check_bare(words, units, join("the range of heights of ", map.name), most - least);
+}
+
 // Puts the pitch that was given into a map that has none.
-void settle_pitch(const Words& words, Units& units, Map& map) {
+void settle_pitch(const Words& words, Units& units, Map& map, rc_request& request) {
   const Given* const given = words.find("pitch");
+  const bool says = map.hx > 0 && map.hy > 0;
+  const bool bare_pitch = map.format.empty() ? !map.has_unit : !map.bare.empty() && map.bare != "heights";
+  if (says && bare_pitch) check_bare(words, units, join("the pitch of ", map.name), std::max(map.hx, map.hy));
+  if (says && !map.format.empty())
+    request.remarks.push_back(
+        {RC_REMARK_PITCH,
+         RC_FACT,
+         "pitch",
+         join("pitch ", length_text(units, map.hx, 7), ", ", length_text(units, map.hy, 7), ", as ", map.name, " says"),
+         {map.hx, map.hy, 0}});
   if (!given) {
-    if (!(map.hx > 0 && map.hy > 0))
+    if (!says)
       throw Error(map.name, ": ", map.format.empty() ? "the pitch is missing" : "the file does not say its pitch", ", give ",
                   words.spelt("pitch"), ", one number or two, along x and y");
     return;
@@ -60,6 +90,7 @@ void settle_pitch(const Words& words, Units& units, Map& map) {
                   map.of_file ? "file" : "map");
     *own[k] = sides[k];
   }
+  if (bare) check_bare(words, units, words.spelt("pitch"), std::max(sides[0], sides[1]));
 }
 
 bool present(const Map& map, std::size_t i) { return !map.mask || map.mask[i] != 0; }
@@ -212,7 +243,9 @@ void set_surface(const rc_request_spec& spec, const Words& words, Units& units, 
   }
   for (const Map* const each : {&map, other ? &*other : nullptr})
     if (each && !each->bare.empty()) units.add(each->of_file ? join(each->bare, " of ", each->name) : each->name);
-  settle_pitch(words, units, map);
+  settle_pitch(words, units, map, request);
+  for (const Map* const each : {&map, other ? &*other : nullptr})
+    if (each && !of_gap) check_bare_heights(words, units, *each);
   check_unit(map, other ? &*other : nullptr);
   if (bare_shape && map.unit != 1 && !units.bare.name)
     throw Error(words.spelt("shape"), ": R has no unit, but ", map.name, " have one: give R its unit");

@@ -167,13 +167,14 @@ enum {
   RC_REMARK_FILE = 1,      /* what a file leaves open or has besides                                                 */
   RC_REMARK_UNIT = 2,      /* m is taken for lengths without a unit                                                  */
   RC_REMARK_BOUNDARY = 3,  /* periodic is taken: neither a word nor a map says it                                    */
-  RC_REMARK_ENDS = 4,      /* free is taken, as the map says                                                         */
+  RC_REMARK_ENDS = 4,      /* free is taken, as the map says, or the shape needs                                     */
   RC_REMARK_MISSING = 5,   /* points were filled or excluded: count, ix and iy of the first                          */
   RC_REMARK_SMALL = 6,     /* a pressure below that of any solid: a unit may be missing                              */
   RC_REMARK_CROPPED = 7,   /* points of the map before and after                                                     */
   RC_REMARK_SPIKES = 8,    /* points that were taken out, and the farthest of them from the median                   */
   RC_REMARK_RESAMPLED = 9, /* pitch of the other body before and after                                               */
-  RC_REMARK_OVERLAP = 10   /* points that are left, and the shift                                                    */
+  RC_REMARK_OVERLAP = 10,  /* points that are left, and the shift                                                    */
+  RC_REMARK_PITCH = 11     /* the file says it: hx, hy                                                               */
 };
 enum { RC_FACT = 0, RC_ASSUMED = 1, RC_DOUBTFUL = 2 };
 
@@ -191,6 +192,11 @@ RC_API int64_t rc_request_remark_count(const rc_request *request);
 /** index: 0 .. count - 1. Errors: ARGUMENT. */
 RC_API rc_status rc_request_remark(const rc_request *request, int64_t index, rc_remark *out);
 
+/** The note of a result (rc_result.note), with the words that help where it doubts the map: "level them with --remove plane"; and
+ *  that the contact of a named shape does not fit on the map under this load. text: [size], cut off where it is too long.
+ *  Errors: ARGUMENT. */
+RC_API rc_status rc_request_note(const rc_request *request, const char *note, double load, size_t size, char *text);
+
 /** The contact of the smooth body that the word shape names with the half-space: Hertz' for a sphere (Johnson 1985, 4.22 to 4.24)
  *  and a cylinder (4.42 to 4.45), for a wedge 5.5. */
 typedef struct rc_smooth {
@@ -203,7 +209,7 @@ typedef struct rc_smooth {
 } rc_smooth;
 #define RC_SMOOTH_INIT RC_BEGIN(rc_smooth)
 
-/** Errors: ARGUMENT (no shape was named, or the system is no half-space). */
+/** load: 0 or more. Errors: ARGUMENT (no shape was named, or the system is no half-space). */
 RC_API rc_status rc_request_smooth(const rc_request *request, double load, rc_smooth *out);
 /** @} */
 

@@ -4,6 +4,7 @@
 #include <sstream>
 #include <utility>
 
+#include "solve/conclusion.h"
 #include "text.h"
 
 namespace cli {
@@ -22,13 +23,14 @@ constexpr std::pair<std::string_view, std::string_view> units[] = {{"approach", 
                                                                    {"setup_seconds", "s"},     {"left_out", "m"},
                                                                    {"plastic_volume", "m^3"},  {"leak", "m^3/s"},
                                                                    {"leak_lower", "m^3/s"},    {"leak_upper", "m^3/s"},
-                                                                   {"constriction", "m"}};
+                                                                   {"constriction", "m"},      {"smooth_width", "m"},
+                                                                   {"smooth_approach", "m"},   {"smooth_max_pressure", "Pa"}};
 
 const char* directions(std::int32_t x, std::int32_t y) { return x != 0 ? (y != 0 ? "xy" : "x") : y != 0 ? "y" : "none"; }
 
 }  // namespace
 
-std::vector<JsonEntry> step_fields(const StepRecord& step, bool yields) {
+std::vector<JsonEntry> step_fields(const StepRecord& step, const Problem& problem) {
   const rc_result& r = step.result;
   std::vector<JsonEntry> fields = {
       {"status", rc_status_name(r.status)},
@@ -88,10 +90,15 @@ std::vector<JsonEntry> step_fields(const StepRecord& step, bool yields) {
                                  {"constriction_x", leak.constriction_x},
                                  {"constriction_y", leak.constriction_y}});
   }
-  if (yields) {
+  if (problem.system.hardness > 0) {
     fields.push_back({"capped", r.capped});
     fields.push_back({"plastic_volume", r.plastic_volume});
     fields.push_back({"proven_capped", r.proven_capped});
+  }
+  if (const auto smooth = smooth_answer(problem, r)) {
+    fields.push_back({"smooth_width", smooth->width});
+    fields.push_back({"smooth_approach", smooth->approach});
+    fields.push_back({"smooth_max_pressure", smooth->max_pressure});
   }
   return fields;
 }

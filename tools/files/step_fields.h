@@ -11,8 +11,8 @@
 
 namespace cli {
 
-// The place of every value is its name. yields: whether the bodies have a hardness.
-std::vector<JsonEntry> step_fields(const StepRecord& step, bool yields);
+// The place of every value is its name.
+std::vector<JsonEntry> step_fields(const StepRecord& step, const Problem& problem);
 
 // The name of a field alone, whether the value comes from a step or from an earlier summary: "load" of "/steps/0/load".
 std::string_view name_of(const JsonEntry& field);

@@ -103,7 +103,7 @@ void StepFiles::write_maps(const StepRecord& step, const Fields& fields, const s
 
 void StepFiles::write(const StepRecord& step, const Fields& fields) {
   run_.begin_step(static_cast<std::size_t>(step.number));
-  const std::vector<JsonEntry> values = step_fields(step, problem_.system.hardness > 0);
+  const std::vector<JsonEntry> values = step_fields(step, problem_);
   if (maps_) write_maps(step, fields, values);
   history_.push_back({step.result.load, step.result.approach, step.result.area_fraction, step.measures.corrected_area,
                       step.result.mean_gap, step.result.stiffness});

@@ -163,7 +163,7 @@ class Run {
     }
     if (!arguments_.quiet) print_table_row(row_.problem, step);
     if (!step.message.empty()) report(format("step %d: ", step.number) + step.message);
-    const std::string note = step.result.note;
+    const std::string note = remarks(row_.problem, step.result);
     if (!note.empty() && note != remarked_) report("remark: " + note);
     remarked_ = note;
   }
@@ -179,7 +179,7 @@ class Run {
     array("gap", fields_.gap);
     if (system.hardness > 0) array("indentation", fields_.indentation);
     ranks_.on_first([&] {
-      std::vector<JsonEntry> values = step_fields(step, system.hardness > 0);
+      std::vector<JsonEntry> values = step_fields(step, row_.problem);
       std::erase_if(values, [](const JsonEntry& field) { return std::ranges::count(unknown, field.place) > 0; });
       folder_->end_step(values);
     });

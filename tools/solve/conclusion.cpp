@@ -1,8 +1,9 @@
 #include "solve/conclusion.h"
 
 #include <algorithm>
-#include <optional>
+#include <cmath>
 
+#include "formats/error.h"
 #include "request/units.h"
 #include "text.h"
 
@@ -49,10 +50,31 @@ std::string reached(const Problem& problem, const StepRecord& step) {
   return with_prefix(step.result.approach, "m");
 }
 
-std::string small_map(const Problem& problem, const rc_result& r) {
+std::string remarks(const Problem& problem, const rc_result& r) {
+  char text[2048];
+  if (rc_request_note(problem.input.request.get(), r.note, r.contacts > 0 ? r.load : 0, sizeof text, text) != RC_OK)
+    throw Error(rc_request_last_error());
+  return text;
+}
+
+std::optional<rc_smooth> smooth_answer(const Problem& problem, const rc_result& r) {
   rc_smooth smooth = RC_SMOOTH_INIT;
-  if (problem.input.shape.empty() || r.contacts == 0) return "";
-  return rc_request_smooth(problem.input.request.get(), r.load, &smooth) == RC_OK ? smooth.remark : "";
+  if (problem.input.shape.empty()) return std::nullopt;
+  if (rc_request_smooth(problem.input.request.get(), r.load, &smooth) != RC_OK) throw Error(rc_request_last_error());
+  return smooth;
+}
+
+std::string smooth_line(const Problem& problem, const rc_result& r) {
+  const auto smooth = smooth_answer(problem, r);
+  if (!smooth || r.contacts == 0) return "";
+  const bool point = std::isfinite(smooth->approach), line = !point && std::isfinite(smooth->max_pressure);
+  std::string text = point  ? "Hertz, without roughness: contact radius "
+                     : line ? "Hertz, without roughness: contact width "
+                            : "without roughness: contact width ";
+  text += with_prefix(point ? smooth->width / 2 : smooth->width, "m");
+  if (point) text += ", approach " + with_prefix(smooth->approach, "m");
+  if (point || line) text += ", largest pressure " + with_prefix(smooth->max_pressure, "Pa");
+  return text;
 }
 
 std::string conclusion(const Problem& problem, const StepRecord& last) {

@@ -42,15 +42,6 @@ int32_t on_progress(const rc_progress* progress, void* bar) {
   return 0;
 }
 
-// The library's remarks, with the option that helps, and the command's.
-std::string remarks(const Problem& problem, const StepRecord& step) {
-  constexpr std::string_view doubt = "level them";
-  std::string text = step.result.note;
-  if (const auto place = text.find(doubt); place != std::string::npos) text.insert(place + doubt.size(), " with --remove plane");
-  const std::string own = small_map(problem, step.result);
-  return text + (text.empty() || own.empty() ? "" : "; ") + own;
-}
-
 void report_choice(rc_contact* contact) {
   const char* text = nullptr;
   check(rc_contact_explain(contact, &text), "--explain");
@@ -109,7 +100,7 @@ ExitCode run_solve(const SolveArguments& arguments) {
     report(format("--resume: %d of %d steps are finished", finished, steps));
   }
 
-  std::string remarked, last;
+  std::string remarked, last, smooth;
   ExitCode code = files && !files->all_certified() ? exit_uncertified : exit_certified;
   for (int number = finished + 1; number <= steps && !interrupt.requested(); ++number) {
     const bool first = number == finished + 1;
@@ -130,15 +121,17 @@ ExitCode run_solve(const SolveArguments& arguments) {
     if (!arguments.quiet) print_table_row(problem, step);
     if (!step.good()) report_uncertified(problem, step);
     if (arguments.explain) report_choice(contact.get());
-    const std::string said = remarks(problem, step);
+    const std::string said = remarks(problem, step.result);
     if (!said.empty() && said != remarked) report("remark: " + said);
     remarked = said;
     if (files) files->write(step, fields);
     last = conclusion(problem, step);
+    smooth = smooth_line(problem, step.result);
     if (step.result.status == RC_STOP_CANCELLED) return exit_cancelled;
   }
   if (files && !interrupt.requested()) files->write_history();
-  if (!arguments.quiet && !last.empty()) std::printf("%s\n", last.c_str());
+  for (const std::string& line : {last, smooth})
+    if (!arguments.quiet && !line.empty()) std::printf("%s\n", line.c_str());
   return interrupt.requested() ? exit_cancelled : code;
 }
 

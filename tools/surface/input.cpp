@@ -66,8 +66,9 @@ SurfaceInput input_of(const GivenWords& words, Request request) {
     rc_remark remark = RC_REMARK_INIT;
     if (rc_request_remark(request.get(), k, &remark) != RC_OK) throw Error(rc_request_last_error());
     const std::string text = remark.text;
-    if (remark.code == RC_REMARK_UNIT) input.assumed = text.substr(0, text.find("; "));
-    if (remark.code == RC_REMARK_MISSING) continue;  // see preparation()
+    if (remark.severity != RC_DOUBTFUL) input.assumed += (input.assumed.empty() ? "" : "; ") + text;
+    const bool seen = remark.code == RC_REMARK_MISSING || remark.code == RC_REMARK_PITCH || remark.code == RC_REMARK_ENDS;
+    if (seen && remark.severity == RC_FACT) continue;  // in the first line
     input.notes.push_back((remark.severity == RC_DOUBTFUL ? "remark: " : "note: ") + text);
   }
   input.request = std::move(request);

@@ -37,8 +37,8 @@ struct SurfaceInput {
   std::int64_t missing = 0;            // points
   std::string missing_rule;            // what was done with them: "reject" (there are none), "fill" or "exclude"
   const std::uint8_t* mask = nullptr;  // 0: excluded; null if no point is
-  std::string assumed;  // the unit that is taken for lengths without one, in words; "" if there is none or it was given
-  std::vector<std::string> notes;  // what the user should know about the choices made
+  std::string assumed;                 // what was assumed of the words and files, and read from headers; "" if nothing
+  std::vector<std::string> notes;      // what the user should know about the choices made
 
   // ", against other.gsf, plane removed, 12 missing points filled": what was done to the heights, for a line of text; "" if
   // nothing.

@@ -60,7 +60,14 @@ from ._influence import Influence as Influence
 from ._history_result import HistoryResult as HistoryResult
 from ._law import Law as Law, law as law
 from ._slip import Slip as Slip, SlipState as SlipState
-from .result import Accuracy as Accuracy, BatchResult as BatchResult, Grid as Grid, Level as Level, Result as Result
+from .result import (
+    Accuracy as Accuracy,
+    BatchResult as BatchResult,
+    Grid as Grid,
+    Level as Level,
+    Result as Result,
+    Smooth as Smooth,
+)
 from ._solve import history as history, solve as solve
 from ._units import AssumedUnit as AssumedUnit
 from .surface import example as example

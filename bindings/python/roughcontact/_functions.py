@@ -159,6 +159,7 @@ class RequestFunctions(Protocol):
     rc_request_options: Callable[[handle, handle], rc_status]
     rc_request_remark_count: Callable[[handle], int64_t]
     rc_request_remark: Callable[[handle, int64_t, rc_remark], rc_status]
+    rc_request_note: Callable[[handle, text, double, size_t, text], rc_status]
     rc_request_smooth: Callable[[handle, double, rc_smooth], rc_status]
 
 

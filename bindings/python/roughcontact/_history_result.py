@@ -36,6 +36,11 @@ class HistoryResult(Answer):
     grid: Grid
 
     @property
+    def assumed(self) -> Tuple[str, ...]:
+        """As of a `Result`."""
+        return self.results[0].assumed if self.results else ()
+
+    @property
     def completed(self) -> int:
         """Steps that were completed."""
         return len(self.results)

@@ -10,6 +10,7 @@ from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple
 import numpy as np
 
 from . import _constants
+from ._answers import Stored
 from ._arrays import (
     Doubles,
     Mask,
@@ -22,6 +23,7 @@ from ._arrays import (
     refuse_one_row,
     without_masked,
 )
+from ._c import members_for
 from ._calls import check
 from ._data_arrays import Described, described
 from ._device import DeviceArray, device_array, on_host
@@ -147,6 +149,25 @@ def _as_given(name: str, value: Any) -> Tuple[Any, Any, int]:
     return None, pointer(numbers), numbers.size
 
 
+@dataclass(frozen=True)
+class Smooth(Stored):
+    """The contact of the smooth body that the word shape names, at a step's load: Hertz' of a sphere and a cylinder, and of a wedge.
+
+    width: of the contact [length]; of a sphere twice the radius
+    approach: [length]; NaN but for a sphere
+    max_pressure: [force/length^2]; NaN for a wedge, where it is infinite
+    """
+
+    width: float
+    approach: float
+    max_pressure: float
+
+    @property
+    def radius(self) -> float:
+        """Half the width [length]."""
+        return self.width / 2
+
+
 class Request:
     """A request of C, with what it means."""
 
@@ -197,13 +218,26 @@ class Request:
             check(library.rc_request_remark(self._handle, index, found[-1]), _message)
         return found
 
-    def doubts(self, load: float) -> List[str]:
-        """Remarks on an answer: on doubtful words, and that the contact of a named shape does not fit on the map."""
-        smooth = rc_smooth()
-        said = [each.text.decode(errors="replace") for each in self.remarks() if each.severity == _constants.RC_DOUBTFUL]
-        if request_library().rc_request_smooth(self._handle, load, smooth) == 0:
-            said.append(smooth.remark.decode(errors="replace"))
-        return [each for each in said if each]
+    def _said(self, doubtful: bool) -> Tuple[str, ...]:
+        return tuple(
+            each.text.decode(errors="replace")
+            for each in self.remarks()
+            if (each.severity == _constants.RC_DOUBTFUL) == doubtful
+        )
+
+    def assumed(self) -> Tuple[str, ...]:
+        return self._said(doubtful=False)
+
+    def note(self, note: str, load: float) -> str:
+        """The note of an answer, with words that help, and remarks on doubtful words."""
+        text = ctypes.create_string_buffer(2048)
+        check(request_library().rc_request_note(self._handle, note.encode(), load, len(text), text), _message)
+        return "; ".join(filter(None, [text.value.decode(errors="replace"), *self._said(doubtful=True)]))
+
+    def smooth(self, load: float) -> Optional[Smooth]:
+        found = rc_smooth()
+        known = request_library().rc_request_smooth(self._handle, load, found) == 0
+        return Smooth(**members_for(Smooth, found)) if known else None
 
 
 @dataclass(frozen=True)
@@ -269,8 +303,9 @@ class Pressed:
 
     def remarked(self, result: Any) -> Any:
         """A result with the remarks of its request."""
-        said = self.request.doubts(result.load) if result.contacts else []
-        return replace(result, note="; ".join(filter(None, [result.note, *said]))) if said else result
+        asked, load = self.request, result.load
+        note = asked.note(result.note, load) if result.contacts else result.note
+        return replace(result, note=note, assumed=asked.assumed(), smooth=asked.smooth(load))
 
 
 def _half_space(request: Request, shape: Shape) -> HalfSpace:

@@ -21,6 +21,7 @@ from ._library import contact_library
 from ._measures import STEP_COLUMNS, UNKNOWN, Measures, measures_of
 from ._pictures import pressure_image
 from ._remarks import elastic_limit
+from ._request import Smooth as Smooth
 from ._status import Status
 from ._structs import rc_accuracy, rc_array, rc_level, rc_result
 from .context import Context, Options
@@ -156,6 +157,10 @@ class Result(Answer):
     measures: Optional[Measures]
     #: which grid it is of, and estimated errors; None in `batch`
     accuracy: Optional[Accuracy]
+    #: what was taken where neither words nor maps say it, and what was done to the surface, a sentence each
+    assumed: Tuple[str, ...] = ()
+    #: of the smooth body; None without the word shape
+    smooth: Optional[Smooth] = None
 
     @property
     def certified(self) -> bool:
@@ -262,6 +267,8 @@ class Result(Answer):
         own = {**super()._columns(), **vars(self._measured if known else UNKNOWN)}
         accuracy = self.accuracy or Accuracy(-1, -1, np.nan, np.nan, np.nan)
         own.update(vars(accuracy))
+        if self.smooth:
+            own.update({f"smooth_{name}": value for name, value in vars(self.smooth).items()})
         return {name: own.pop(name) for name in STEP_COLUMNS} | own
 
     def _rows(self) -> Dict[str, str]:
@@ -273,7 +280,11 @@ class Result(Answer):
             "largest pressure": f"{self.max_pressure:.6g}" + (f" at {self.capped} points" if self.capped > 1 else ""),
             "mean pressure": f"{self.mean_pressure:.6g}",
             "by": f"{self.solver} on {self.backend}, residual {self.residual:.1e}",
+            **(
+                {"smooth": f"contact {self.smooth.width:.6g} wide, approach {self.smooth.approach:.6g}"} if self.smooth else {}
+            ),
             **({"note": self.remarks} if self.remarks else {}),
+            **({"assumed": "; ".join(self.assumed)} if self.assumed else {}),
         }
 
     def _picture(self) -> Optional[str]:
@@ -340,6 +351,7 @@ class BatchResult(Answer):
     pressure: [contacts, ny, nx] of each contact's last step, 0 where it has none [force/length^2]; None unless asked for
     certified: contacts of which every step is certified
     first: the contact whose status is given; -1: none
+    assumed: as of a `Result`
     """
 
     status: Status
@@ -364,6 +376,7 @@ class BatchResult(Answer):
     certified: int
     first: int
     grid: Grid
+    assumed: Tuple[str, ...] = ()
 
     @property
     def mean_pressure(self) -> Doubles:

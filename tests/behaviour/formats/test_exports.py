@@ -80,7 +80,8 @@ class Exports(ReaderTest):
         z = Z.copy()
         z[5, 5] += 5e5
         said = self.assert_right("a.csv", "Pixel size: 0.5 um\nZ-Unit: nm\n" + rows(",", z), z)
-        self.assertIn("spike", said)
+        self.assertIn("which --despike 10 takes out", said)
+        self.assertIn("1 spike taken out", self.solve("a.csv", *PRESS, "--boundary", "periodic", "--despike", "10").stderr)
 
 
 class Damaged(ReaderTest):

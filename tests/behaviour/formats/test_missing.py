@@ -138,7 +138,7 @@ class Rules(ReaderTest):
     def test_flat_maps_are_told_from_tilted_ones(self):
         tilted = np.arange(400.0).reshape(20, 20)
         for z, says in ((np.ones((20, 20)), ": the map is flat: "), (tilted, "the map is flat after its plane is removed")):
-            self.assert_fails("analyze", self.npy(z), "--pitch", 1, says=says)
+            self.assert_fails("analyze", self.npy(z), "--pitch", 1, "--unit", "m", says=says)
 
     def test_removed_form_is_stated(self):
         z = rough()

@@ -1,4 +1,4 @@
-"""TIFF and PNG of one grey channel, written here by their descriptions, and by Pillow if it is installed.
+"""TIFF and PNG of one grey channel, written by their descriptions, and by Pillow if it is installed.
 test_pictures.py ROUGHCONTACT READ_SURFACES"""
 import struct
 import zlib
@@ -6,6 +6,7 @@ import zlib
 import reading
 from harness import np
 from reading import ReaderTest
+from writers import png, tiff
 
 try:
     from PIL import Image
@@ -16,28 +17,6 @@ PITCH = None, None  # pictures name none
 RANGE = 120e-9
 DEEP = np.random.default_rng(5).integers(0, 65536, (7, 11)).astype("u2")
 PRESS = ["--E", "1GPa", "--nu", "0.3", "--pressure", "1kPa", "--pitch", "1um", "--boundary", "periodic", "--quiet"]
-
-
-def tiff(values, order="<", compression=1, **tags):
-    """A TIFF of one strip; tags: instead of those that the values have."""
-    values = values.astype(values.dtype.newbyteorder(order))
-    data = values.tobytes() if compression == 1 else zlib.compress(values.tobytes())
-    kind = {"u": 1, "i": 2, "f": 3}[values.dtype.kind]
-    found = {256: values.shape[1], 257: values.shape[0], 258: 8 * values.dtype.itemsize, 259: compression, 262: 1, 273: 8, 277: 1,
-             278: values.shape[0], 279: len(data), 339: kind, **{int(tag[1:]): value for tag, value in tags.items()}}
-    entries = b"".join(struct.pack(order + "HHII", tag, 4, 1, value) for tag, value in sorted(found.items()))
-    head = (b"II*\0" if order == "<" else b"MM\0*") + struct.pack(order + "I", 8 + len(data) + len(data) % 2)
-    return head + data + bytes(len(data) % 2) + struct.pack(order + "H", len(found)) + entries + bytes(4)
-
-
-def png(values, colour=0, bits=None, chunks=()):
-    values = values.astype(values.dtype.newbyteorder(">"))
-    def chunk(name, data):
-        return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
-    header = struct.pack(">IIBBBBB", values.shape[1], values.shape[0], bits or 8 * values.dtype.itemsize, colour, 0, 0, 0)
-    rows = b"".join(b"\0" + row.tobytes() for row in values)
-    extra = b"".join(chunk(*each) for each in chunks)
-    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + extra + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b"")
 
 
 class Pictures(ReaderTest):

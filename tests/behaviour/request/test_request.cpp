@@ -167,9 +167,42 @@ void smooth_bodies(void**) {
   assert_true(std::abs(smooth.width / (2 * a) - 1) < 1e-12 && std::abs(smooth.approach / (a * a / 1e-3) - 1) < 1e-12);
   assert_true(std::abs(smooth.max_pressure / (1.5 * 1e-3 / (pi * a * a)) - 1) < 1e-12);
   assert_non_null(std::strstr(smooth.remark, "press a larger map"));
+  assert_int_equal(rc_request_smooth(asked.made, -1, &smooth), RC_ERR_ARGUMENT);
+  char text[256];
+  assert_int_equal(rc_request_note(asked.made, "stalled", 1e-3, sizeof text, text), RC_OK);
+  assert_true(std::string(text).starts_with("stalled; Hertz' contact of this shape"));
   asked.words.pop_back();
   asked.view();
   assert_int_equal(rc_request_smooth(asked.made, 1, &smooth), RC_ERR_ARGUMENT);
+}
+
+void notes_name_the_word_that_helps(void**) {
+  Asked asked;
+  asked.spec.spelling = RC_SPELLING_OPTION;
+  asked.view();
+  char text[256];
+  const char* const note = "check the map for a spike; a plane is 90 % of the heights' variance: level them";
+  assert_int_equal(rc_request_note(asked.made, note, 1, sizeof text, text), RC_OK);
+  assert_string_equal(text,
+                      "check the map for a spike, which --despike 10 takes out; a plane is 90 % of the heights' variance: level "
+                      "them with --remove plane");
+  assert_int_equal(rc_request_note(asked.made, note, 1, 6, text), RC_OK);
+  assert_string_equal(text, "check");
+  assert_int_equal(rc_request_note(asked.made, nullptr, 1, sizeof text, text), RC_ERR_ARGUMENT);
+}
+
+void metres_that_only_a_mistaken_unit_explains_are_refused(void**) {
+  Asked asked;
+  asked.maps[0].hx = asked.maps[0].hy = 0.011;
+  asked.refuses(RC_ERR_ARGUMENT, "the pitch of surface would be 11 mm, as lengths without a unit are in m: give unit");
+  asked.maps[0].hx = asked.maps[0].hy = 0.0099;
+  asked.view();
+  std::vector<double> tall(12, 0);
+  tall[3] = 0.0101;
+  asked.maps[0].heights = tall.data();
+  asked.refuses(RC_ERR_ARGUMENT, "the range of heights of surface would be 10.1 mm");
+  asked.words.push_back({"unit", "m", nullptr, 0});
+  asked.view();
 }
 
 void what_a_program_may_do_wrong(void**) {
@@ -228,6 +261,8 @@ int main() {
       cmocka_unit_test(numbers_stay_in_the_callers_units_until_one_is_named),
       cmocka_unit_test(flows_are_words),
       cmocka_unit_test(smooth_bodies),
+      cmocka_unit_test(notes_name_the_word_that_helps),
+      cmocka_unit_test(metres_that_only_a_mistaken_unit_explains_are_refused),
       cmocka_unit_test(what_a_program_may_do_wrong),
       cmocka_unit_test(options_are_words_too),
   };

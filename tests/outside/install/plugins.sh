@@ -6,7 +6,7 @@ set -euo pipefail
 source=$1 build=$2 cc=$3 cxx=$4
 . "$(dirname "$0")/scratch.sh"
 
-command_solve() { clean "$prefix/bin/roughcontact" solve "$scratch/surface.npy" --pitch 1 --modulus 1 --boundary free --approach 0.8 "$@"; }
+command_solve() { clean "$prefix/bin/roughcontact" solve "$scratch/surface.npy" --pitch 1 --unit m --modulus 1 --boundary free --approach 0.8 "$@"; }
 solve() {  # solve EXPECTED-PAIR OPTION...: prints the load
   local pair=$1 row
   shift
@@ -79,7 +79,7 @@ for tool in make cmake; do
   awk -v soft="$soft" -v hard="$expected" 'BEGIN { exit !(0.4 * hard < soft && soft < hard) }' || fail "$tool: a soft layer carries $soft"
   # To a rough answer it is the one that takes least time.
   rm -rf "$scratch/run"
-  clean "$prefix/bin/roughcontact" solve "$scratch/larger.npy" --pitch 1 --modulus 1 --boundary free --approach 12 --tol 0.1 --out "$scratch/run" --no-maps --explain >/dev/null 2>"$scratch/why"
+  clean "$prefix/bin/roughcontact" solve "$scratch/larger.npy" --pitch 1 --unit m --modulus 1 --boundary free --approach 12 --tol 0.1 --out "$scratch/run" --no-maps --explain >/dev/null 2>"$scratch/why"
   row=$(answer "$scratch/run")
   [[ $row == "RC_OK spg/"* ]] || fail "auto does not take spg: $row $(cat "$scratch/why")"
   grep -q "spg on .* taken" "$scratch/why" && grep -q "haar-cg on .* slower" "$scratch/why" || fail "no reasons: $(cat "$scratch/why")"

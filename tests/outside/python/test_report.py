@@ -40,13 +40,13 @@ def test_a_request(file):
     assert request.problem.system.pitch == pytest.approx((1e-6, 1e-6)) and request.control == "load" and request.curve
     assert len(request.targets) == CURVE_POINTS and request.targets[-1] == 1e-3 and request.targets[0] == pytest.approx(1e-5)
     assert request.command.endswith("--load 1mN --pitch 1um --unit um")
-    several = read_request([file, "--pitch", "1um", "--modulus", "1GPa", "--load", "1,2"])
+    several = read_request([file, "--pitch", "1um", "--unit", "um", "--modulus", "1GPa", "--load", "1,2"])
     press(several)
     assert not several.curve
 
 
 def test_one_clear_line_and_status_1(file, tmp_path, capsys, monkeypatch):
-    good = [file, "--pitch", "1um", *STEEL, "--load", "1mN", "--out", str(tmp_path / "page.html")]
+    good = [file, "--pitch", "1um", "--unit", "um", *STEEL, "--load", "1mN", "--out", str(tmp_path / "page.html")]
     for arguments, words in (
         (["report"], "required: FILE"),
         (["rapport"], "is no command"),
@@ -61,7 +61,7 @@ def test_one_clear_line_and_status_1(file, tmp_path, capsys, monkeypatch):
         (["report", *good, "--tol", "small"], "is not a number"),
         (["report", *good, "--remove", "plain"], "is not known"),
         (["report", "absent.x3p", *STEEL, "--load", "1"], "No such file"),
-        (["report", file, *STEEL, "--load", "1"], "does not say its pitch"),
+        (["report", file, *STEEL, "--unit", "um", "--load", "1"], "does not say its pitch"),
         (["report", *good[:-1], str(tmp_path / "none" / "page.html")], "does not exist"),
         (["report", *good[:-1], str(tmp_path)], "is a folder"),
         (["report", *good, "--tol", "-1"], "tol"),

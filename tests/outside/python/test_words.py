@@ -352,3 +352,47 @@ def test_preparation_is_what_its_words_say(folder, monkeypatch):
     clean = spiked.copy()
     clean[5, 6] = np.nan
     same(rc.solve("spiked.npy", unit="m", despike=10, **how), rc.Surface(clean, 1e-6).filled().heights)
+
+
+def test_what_was_assumed_is_listed(folder, monkeypatch):
+    monkeypatch.chdir(folder)
+    bare = rc.solve("surface.npy", pitch="1um", modulus="1GPa", load="10uN", check=False)
+    assert [text.split(";")[0] for text in bare.assumed] == [
+        "lengths without a unit are taken in m (heights of surface.npy)",
+        "boundary periodic, the map is taken as a sample of a larger surface",
+    ]
+    assert rc.history("surface.npy", pitch="1um", modulus="1GPa", load=["10uN"]).assumed == bare.assumed
+    assert rc.batch("surface.npy", pitch="1um", modulus="1GPa", load="10uN").assumed == bare.assumed
+    said = rc.solve("fine.gsf", modulus="1GPa", load="10uN").assumed
+    assert said[0] == "pitch 800 nm, 800 nm, as fine.gsf says" and "boundary free" in said[1]
+    assert rc.solve(np.load("surface.npy"), pitch=1e-6, modulus=1e9, load=1e-5, boundary="free").assumed == ()
+    assert rc.load(saved(bare)).assumed == bare.assumed
+
+
+def saved(answer):
+    answer.save("answer.npz")
+    return "answer.npz"
+
+
+def test_the_smooth_answer_is_hertz(folder, command, monkeypatch):
+    monkeypatch.chdir(folder)
+    words = given({"shape": "sphere:R=1mm", "boundary": None, "load": "1mN"})
+    found = rc.solve(words.pop("surface"), **words).smooth
+    radius = (3 * 1e-3 * 1e-3 / (4 * 1e9)) ** (1 / 3)
+    assert (found.radius, found.approach) == pytest.approx((radius, radius**2 / 1e-3), rel=1e-12, abs=0)
+    assert found.max_pressure == pytest.approx(1.5e-3 / (np.pi * radius**2), rel=1e-12, abs=0)
+    assert rc.solve(np.zeros((8, 8)), pitch=1, modulus=1, load=1, boundary="free").smooth is None
+    if command.exists():
+        by_command(command, folder, {"surface": "surface.npy", **words})
+        step = json.loads((folder / "out/summary.json").read_text())["steps"][0]
+        assert [step["smooth_" + name] for name in ("width", "approach", "max_pressure")] == pytest.approx(
+            [found.width, found.approach, found.max_pressure], rel=1e-12, abs=0
+        )
+
+
+def test_metres_that_only_a_mistaken_unit_explains_are_refused(folder, monkeypatch):
+    monkeypatch.chdir(folder)
+    with pytest.raises(rc.ArgumentError, match="pitch would be 20 mm.*give unit"):
+        rc.solve("surface.npy", pitch=0.02, modulus=1e9, load=1e-5)
+    assert rc.solve("surface.npy", pitch=0.02, unit="m", modulus=1e9, load=1e-5).certified
+    assert rc.solve(np.load("surface.npy"), pitch=0.02, modulus=1e9, load=1e-5).certified  # in the caller's units

@@ -226,7 +226,7 @@ class Output(CommandTest):
             self.assertNotIn("check its unit", self.solve(*common, "--modulus", "1GPa", "--hardness", "1.5" + unit).stderr)
         self.assertIn("--E is 3 Pa, below 100 Pa", self.solve(*common, "--E", "3", "--nu", "0.3").stderr)
         done = self.solve(self.npy(rough()), "--pitch", "1um", "--unit", "m", "--modulus", "1GPa", "--load", "1e-15,1e-4,1e-15", "--quiet")
-        self.assertEqual(done.stderr, 2 * "roughcontact: remark: one point in contact: check the pitch, or the map for a spike\n")
+        self.assertEqual(done.stderr, 2 * "roughcontact: remark: one point in contact: check the pitch, or the map for a spike, which --despike 10 takes out\n")
         self.assertNotIn("level them", self.solve(self.npy(tilted), "--pitch", "1um", "--modulus", "1GPa", "--approach", "1e-7", "--remove", "plane").stderr)
 
 

@@ -35,14 +35,16 @@ class Reading(CommandTest):
                     stream = io.BytesIO()
                     array = z.astype(kind, order="F" if fortran else "C")
                     np.lib.format.write_array(stream, array, version=version)
-                    self.assert_reads(self.file("a.npy", stream.getvalue()), z * 1.0, (2, 3), "--pitch", "2,3")
+                    self.assert_reads(self.file("a.npy", stream.getvalue()), z * 1.0, (2, 3), "--pitch", "2,3", "--unit", "m")
 
     def test_gsf_units_and_pitch(self):
         z = rough().astype("<f4").astype(float)
         for fields, lateral, vertical in (("XYUnits = m\nZUnits = m\n", 1, 1), ("XYUnits=um\nZUnits=nm\n", 1e-6, 1e-9),
                                           ("XYUnits = \u00b5m\nZUnits = \u03bcm\nTitle = M\u00fcnze\n", 1e-6, 1e-6), ("", 1, 1)):
-            self.assert_reads(self.file("a.gsf", gsf(z, 3, 5, fields)), z * vertical, (3 * lateral, 5 * lateral))
-            self.assert_reads(self.file("a.gsf", gsf(z, 3, 5, fields + "ZOffset = 0.25\n")), (z + 0.25) * vertical, (3 * lateral, 5 * lateral))
+            bare = [] if fields else ["--unit", "m"]
+            self.assert_reads(self.file("a.gsf", gsf(z, 3, 5, fields)), z * vertical, (3 * lateral, 5 * lateral), *bare)
+            offset = self.file("a.gsf", gsf(z, 3, 5, fields + "ZOffset = 0.25\n"))
+            self.assert_reads(offset, (z + 0.25) * vertical, (3 * lateral, 5 * lateral), *bare)
         self.assert_reads(self.file("a.gsf", gsf(z, 3, 5)), z * 1e-6, (3e-6, 5e-6), "--unit", "um")
 
     def test_contents_go_before_the_extension(self):
@@ -50,15 +52,15 @@ class Reading(CommandTest):
         stream = io.BytesIO()
         np.save(stream, z)
         for name, contents in (("array.gsf", stream.getvalue()), ("array", stream.getvalue()), ("field.npy", gsf(z, 1, 1))):
-            self.assert_reads(self.file(name, contents), z, (1, 1), "--pitch", "1")
+            self.assert_reads(self.file(name, contents), z, (1, 1), "--pitch", "1", "--unit", "m")
 
     def test_text_separators(self):
         z = np.arange(12.0).reshape(3, 4) / 8
         for separator in (" ", "\t", ",", ", ", ";", " ; "):
             for end in ("\n", "\r\n", separator.strip() + "\n"):
                 text = "# comment\n\n" + "".join(separator.join(map(str, row)) + end for row in z)
-                self.assert_reads(self.file("a.txt", text), z, (1, 1), "--pitch", "1")
-        self.assert_reads(self.file("a.CSV", "\ufeff+1,2e0\n-3.5,.25"), np.array([[1, 2], [-3.5, 0.25]]), (1, 1), "--pitch", "1")
+                self.assert_reads(self.file("a.txt", text), z, (1, 1), "--pitch", "1", "--unit", "m")
+        self.assert_reads(self.file("a.CSV", "\ufeff+1,2e0\n-3.5,.25"), np.array([[1, 2], [-3.5, 0.25]]), (1, 1), "--pitch", "1", "--unit", "m")
 
     def test_text_header_of_gwyddion(self):
         z = np.arange(12.0).reshape(3, 4)
@@ -72,7 +74,7 @@ class Reading(CommandTest):
             ("missing.npy", None, "No such file"),
             ("empty.txt", "", "no numbers"),
             ("empty.npy", "", "NUMPY"),
-            ("a.png", b"\x89PNG", "picture (PNG)"),
+            ("a.png", b"\x89PNG", "PNG"),
             ("a.txt", "1 2 3\n4 5\n", ["row 2", "2 values", "expected 3"]),
             ("a.txt", "1 2\n3 x\n", ["row 2, column 2", '"x"']),
             ("a.txt", "1;;2\n", "1 missing value of 3, first at ix=1, iy=0"),
@@ -103,7 +105,7 @@ class Reading(CommandTest):
             with self.subTest(name=name, says=says):
                 if contents is not None:
                     self.file(name, contents)
-                self.assert_fails("solve", name, "--pitch", "1e-6", *PRESS, "--out", "out", says=[name] + ([says] if isinstance(says, str) else says))
+                self.assert_fails("solve", name, "--pitch", "1e-6", *PRESS, "--unit", "m", "--out", "out", says=[name] + ([says] if isinstance(says, str) else says))
         self.assert_fails("solve", ".", *PRESS, says="folder")
 
 

@@ -174,14 +174,14 @@ class Analyze(CommandTest):
 
     def test_advice_depends_on_levels_and_approach(self):
         self.run_command("generate", "rmd", "--levels", 8, "--output", "s.npy")
-        shallow, _ = self.analyze("s.npy", "--pitch", 1, "--levels", 1)
-        deep, _ = self.analyze("s.npy", "--pitch", 1, "--levels", 6)
+        shallow, _ = self.analyze("s.npy", "--pitch", 1, "--unit", "m", "--levels", 1)
+        deep, _ = self.analyze("s.npy", "--pitch", 1, "--unit", "m", "--levels", 6)
         self.assertLess(shallow["cmr"]["unresolved"], 0.3 * deep["cmr"]["unresolved"])
         self.assertTrue(shallow["cmr"]["trustworthy"])
-        given, _ = self.analyze("s.npy", "--pitch", 1, "--approach", 0.5)
+        given, _ = self.analyze("s.npy", "--pitch", 1, "--unit", "m", "--approach", 0.5)
         self.assertEqual(given["cmr"]["approach"], 0.5)
-        self.assert_fails("analyze", "s.npy", "--pitch", 1, "--levels", 7, says="levels = 7")
-        self.assert_fails("analyze", "s.npy", "--pitch", 1, "--levels", 0, says="--levels")
+        self.assert_fails("analyze", "s.npy", "--pitch", 1, "--unit", "m", "--levels", 7, says="levels = 7")
+        self.assert_fails("analyze", "s.npy", "--pitch", 1, "--unit", "m", "--levels", 0, says="--levels")
 
     def test_picture_is_a_png(self):
         z = rough(64, 64)
@@ -207,16 +207,16 @@ class Analyze(CommandTest):
     def test_odd_surfaces(self):
         for name, z, says in (("one", np.zeros((1, 1)), "flat"), ("flat", np.ones((32, 32)), "flat"),
                               ("tilted", np.arange(400.0).reshape(20, 20), "flat")):
-            self.assert_fails("analyze", self.npy(z), "--pitch", 1, "--json", "a.json", says=says)
+            self.assert_fails("analyze", self.npy(z), "--pitch", 1, "--unit", "m", "--json", "a.json", says=says)
         z = rough()
         z[3, 4] = np.nan
-        self.assert_fails("analyze", self.npy(z), "--pitch", 1, says=("1 missing value", "ix=4, iy=3"))
+        self.assert_fails("analyze", self.npy(z), "--pitch", 1, "--unit", "m", says=("1 missing value", "ix=4, iy=3"))
         self.assert_fails("analyze", self.npy(rough()), says="--pitch")
         self.assert_fails("analyze", "none.npy", "--pitch", 1, says="none.npy")
-        self.assert_fails("analyze", self.npy(rough()), "--pitch", 1, "--json", "none/a.json", says=("cannot write", "none/a.json"))
-        self.assert_fails("analyze", self.npy(rough()), "--pitch", 1, "--approach", -1, says="--approach")
+        self.assert_fails("analyze", self.npy(rough()), "--pitch", 1, "--unit", "m", "--json", "none/a.json", says=("cannot write", "none/a.json"))
+        self.assert_fails("analyze", self.npy(rough()), "--pitch", 1, "--unit", "m", "--approach", -1, says="--approach")
         for shape in ((2, 2), (3, 3), (1, 7), (5, 1), (4, 400)):
-            found, done = self.analyze(self.npy(np.random.default_rng(1).normal(size=shape)), "--pitch", 1)
+            found, done = self.analyze(self.npy(np.random.default_rng(1).normal(size=shape)), "--pitch", 1, "--unit", "m")
             self.assertNotIn("nan", done.stdout)
             self.assertEqual(sum(found["psd"]["modes"]), shape[0] * shape[1] - 1)
 
