@@ -118,7 +118,7 @@ asan() {
   local families="" but=(-E 'failures|pairs\.(analytic|invariance\.(repetitions|sequences))')
   if ! full; then
     families="behaviour/batch behaviour/device behaviour/formats behaviour/honesty behaviour/threads contract/backends contract/errors"
-    families+=" contract/options contract/plugins behaviour/law behaviour/product faults/process"
+    families+=" contract/options contract/plugins behaviour/law behaviour/product faults/process scenes"
     but=()
   fi
   RC_TEST_QUICK=1 verify asan "-DRC_TEST_FAMILIES=${families// /;}" -LE 'slow|full' "${but[@]}"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "heights.h"
+#include "scenes/heights.h"
 
 namespace scenes {
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "heights.h"
+#include "scenes/heights.h"
 #include "support/registry.h"
 
 namespace scenes {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "random.h"
+#include "scenes/random.h"
 #include "support/contact.h"
 
 namespace scenes {

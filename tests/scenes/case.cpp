@@ -1,0 +1,181 @@
+#include "case.h"
+
+#include <roughcontact/history.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "draw.h"
+#include "support/registry.h"
+
+namespace scenes {
+
+namespace {
+
+using pairs::check;
+
+int32_t multiply(const double* x, double* y, std::int64_t n, void* user) {
+  const Field& matrix = *static_cast<const Field*>(user);
+  for (std::int64_t i = 0; i < n; ++i) {
+    y[i] = 0;
+    for (std::int64_t j = 0; j < n; ++j) y[i] += matrix[static_cast<std::size_t>(i * n + j)] * x[j];
+  }
+  return 0;
+}
+
+rc_system with_pointers(const Scene& scene) {
+  rc_system system = scene.system;
+  if (system.op == RC_OPERATOR_DENSE) {
+    system.dense = scene.matrix.data();
+    system.dense_ld = static_cast<std::int64_t>(scene.points());
+  }
+  if (system.op == RC_OPERATOR_CALLBACK) {
+    system.apply = multiply;
+    system.user = const_cast<Field*>(&scene.matrix);
+  }
+  return system;
+}
+
+// The greedy method is exact for some kernels only; split takes cells up to four times as long as wide.
+bool able(const pairs::Pair& pair, const Scene& scene, const rc_system& system, std::int32_t control) {
+  if (pair.solver == "greedy" || (scene.large() && pairs::multiplies_often(pair))) return false;
+  if (pair.backend == "split" && std::max(system.hx, system.hy) > 4 * std::min(system.hx, system.hy)) return false;
+  return pairs::obstacle(pair, system, control).empty();
+}
+
+pairs::Pair draw_pair(const Scene& scene, const rc_system& system) {
+  Random random(scene.seed, 100);
+  const double kind = random.uniform();
+  const std::int32_t control = scene.control == RC_CONTROL_APPROACH ? RC_CONTROL_APPROACH : RC_CONTROL_LOAD;
+  static const std::vector<pairs::Pair> all = pairs::all_pairs();
+  const pairs::Pair main{"haar-cg", "fft"};
+  if (kind < 0.35 && able(main, scene, system, control)) return main;
+  if (kind < 0.6) return pairs::automatic;
+  std::vector<pairs::Pair> list;
+  for (const pairs::Pair& pair : all)
+    if (able(pair, scene, system, control)) list.push_back(pair);
+  return list.empty() ? pairs::automatic : random.one_of(list);
+}
+
+}  // namespace
+
+Case::Case(std::uint64_t seed, bool reduced)
+    : scene_(draw(seed, reduced)),
+      system_(with_pointers(scene_)),
+      h_(scene_),
+      pair_(draw_pair(scene_, system_)),
+      exact_(scene_.steps.size()),
+      tied_(scene_.steps.size()) {
+  answers_ = solve_all(open().get());
+}
+
+pairs::Options Case::options(const pairs::Settings& changed) const {
+  pairs::Settings all = scene_.settings;
+  all.insert(all.end(), changed.begin(), changed.end());
+  return pairs::make_options(pair_, scene_.kernel, all);
+}
+
+Handle Case::open(const pairs::Settings& changed) const {
+  rc_contact* made = nullptr;
+  check(rc_contact_create(&system_, options(changed).get(), &made) == RC_OK,
+        std::string("rc_contact_create: ") + rc_last_error());
+  return Handle(made);
+}
+
+rc_step Case::step(const Step& asked) const {
+  const Surface& surface = scene_.surfaces[asked.surface];
+  rc_step step = RC_STEP_INIT;
+  step.control = scene_.control;
+  step.target = asked.target;
+  step.warm_start = asked.warm;
+  step.undeformed_gap = RC_IN(surface.gap.data());
+  step.mask = RC_IN(surface.mask.empty() ? nullptr : surface.mask.data());
+  return step;
+}
+
+StepAnswer Case::solve(rc_contact* contact, const Step& asked) const { return solve(contact, step(asked)); }
+
+StepAnswer Case::solve(rc_contact* contact, const rc_step& step) const {
+  StepAnswer answer;
+  const std::size_t n = scene_.points();
+  const bool hard = scene_.hard();
+  const auto told = [&](Field& indentation) {
+    indentation.resize(n);
+    check(rc_contact_indentation(contact, RC_OUT(indentation.data())) == RC_OK, rc_last_error());
+  };
+  if (hard) told(answer.indentation);
+  answer.p.assign(n, -7);
+  answer.gap.assign(n, -7);
+  answer.result = RC_RESULT_INIT;
+  answer.result.p = RC_OUT(answer.p.data());
+  answer.result.gap = RC_OUT(answer.gap.data());
+  answer.status = rc_contact_solve(contact, &step, &answer.result);
+  answer.message = rc_last_error();
+  answer.result.p = answer.result.gap = rc_array{};
+  if (hard) told(answer.indentation_after);
+  return answer;
+}
+
+std::vector<StepAnswer> Case::solve_all(rc_contact* contact) const {
+  std::vector<StepAnswer> answers;
+  for (const Step& step : scene_.steps) {
+    answers.push_back(solve(contact, step));
+    if (answers.back().status != RC_OK) break;
+  }
+  return answers;
+}
+
+Exact Case::exact_of(const StepAnswer& answer, const Surface& surface, bool tied) const {
+  return exact_at(scene_, h_, surface, answer.indentation, answer.result.approach,
+                  tied ? std::optional(answer.result.load) : std::nullopt);
+}
+
+const Exact& Case::exact(std::size_t k, bool tied) const {
+  tied = tied && scene_.periodic() && scene_.control != RC_CONTROL_APPROACH;
+  std::optional<Exact>& kept = tied ? tied_[k] : exact_[k];
+  if (!kept) kept = exact_of(answers_[k], surface(k), tied);
+  return *kept;
+}
+
+Real Case::cap() const {
+  return scene_.hard() ? static_cast<Real>(scene_.system.hardness) : std::numeric_limits<Real>::infinity();
+}
+
+double load_of(const Scene& scene, double target) {
+  return scene.control == RC_CONTROL_PRESSURE ? target * static_cast<double>(scene.points()) * scene.cell_area() : target;
+}
+
+Real residual_scale(const Scene& scene, const Surface& surface, const StepAnswer& answer, double target) {
+  Real lowest = HUGE_VALL, sum = 0;
+  bool whole = true;
+  for (std::size_t i = 0; i < scene.points(); ++i) {
+    whole = whole && surface.included(i);
+    if (!surface.included(i)) continue;
+    const Real gap =
+        static_cast<Real>(surface.gap[i]) + (answer.indentation.empty() ? 0 : static_cast<Real>(answer.indentation[i]));
+    lowest = std::min(lowest, gap);
+    sum += gap;
+  }
+  const Real n = static_cast<Real>(scene.points()), approach = static_cast<Real>(answer.result.approach),
+             compression = std::max<Real>(0, approach - lowest);
+  if (!scene.periodic()) return compression;
+  if (scene.control != RC_CONTROL_APPROACH) {
+    const double load = scene.by_load() ? load_of(scene, target) : answer.result.load;
+    return std::max(compression, static_cast<Real>(load / std::sqrt(scene.cell_area()) / scene.system.modulus) / n / 4);
+  }
+  const Real mean_gap = std::abs(sum / n - approach);
+  return !whole || mean_gap == 0 ? compression : std::min(compression, mean_gap / (2 * static_cast<Real>(scene.tol)));
+}
+
+Real product_noise(const Case& c, const Surface& surface, const StepAnswer& answer) {
+  Real most = 0, highest = std::abs(static_cast<Real>(answer.result.approach));
+  for (std::size_t i = 0; i < answer.p.size(); ++i) {
+    most = std::max(most, std::abs(static_cast<Real>(answer.p[i])));
+    if (surface.included(i)) highest = std::max(highest, std::abs(static_cast<Real>(surface.gap[i])));
+    if (!answer.indentation.empty()) highest = std::max(highest, static_cast<Real>(answer.indentation[i]));
+  }
+  return double_product * c.h().largest_row() * most + 2e-15L * highest;
+}
+
+}  // namespace scenes

@@ -1,0 +1,87 @@
+#include "columns.h"
+
+#include <array>
+#include <cmath>
+#include <cstring>
+
+#include "property.h"
+
+namespace scenes {
+
+namespace {
+
+constexpr std::array names{"load",       "approach",   "contact_area", "mean_gap",   "energy",          "stiffness",
+                           "load_lower", "load_upper", "area_lower",   "area_upper", "stiffness_lower", "stiffness_upper",
+                           "certificate"};
+
+bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b)); }
+
+}  // namespace
+
+Columns::Columns(std::size_t steps)
+    : reals(names.size(), Field(steps, -7)), iterations(steps, -7), products(steps, -7), status(steps, -7) {}
+
+rc_columns Columns::request() {
+  rc_columns columns{};
+  rc_array* const all[] = {&columns.load,       &columns.approach,   &columns.contact_area,    &columns.mean_gap,
+                           &columns.energy,     &columns.stiffness,  &columns.load_lower,      &columns.load_upper,
+                           &columns.area_lower, &columns.area_upper, &columns.stiffness_lower, &columns.stiffness_upper,
+                           &columns.certificate};
+  for (std::size_t i = 0; i < reals.size(); ++i) *all[i] = RC_OUT(reals[i].data());
+  columns.iterations = RC_OUT(iterations.data());
+  columns.products = RC_OUT(products.data());
+  columns.status = RC_OUT(status.data());
+  return columns;
+}
+
+void Columns::take(std::size_t k, const StepAnswer& answer) {
+  const rc_result& r = answer.result;
+  const double certificate = std::max({r.kkt_primal, r.kkt_dual, r.kkt_complementarity, r.kkt_control});
+  const double values[] = {r.load,       r.approach,   r.contact_area, r.mean_gap,   r.energy,          r.stiffness,
+                           r.load_lower, r.load_upper, r.area_lower,   r.area_upper, r.stiffness_lower, r.stiffness_upper,
+                           certificate};
+  for (std::size_t i = 0; i < reals.size(); ++i) reals[i][k] = values[i];
+  iterations[k] = r.iterations;
+  products[k] = r.products;
+  status[k] = answer.status;
+}
+
+void Columns::need_same(const Columns& all, std::size_t first, const std::string& what) const {
+  for (std::size_t k = 0; k < status.size(); ++k) {
+    const std::string step = what + ", step " + std::to_string(k) + ": ";
+    const auto same = [&](std::int64_t a, std::int64_t b, const char* name) {
+      need(a == b, step + name + " " + std::to_string(b) + " instead of " + std::to_string(a));
+    };
+    same(status[k], all.status[first + k], "status");
+    for (std::size_t i = 0; i < reals.size(); ++i)
+      need(same_bits(reals[i][k], all.reals[i][first + k]), step + names[i] + " " + pairs::text(all.reals[i][first + k]) +
+                                                                " differs by " +
+                                                                pairs::text(all.reals[i][first + k] - reals[i][k]));
+    same(iterations[k], all.iterations[first + k], "iterations");
+    same(products[k], all.products[first + k], "products");
+  }
+}
+
+std::int32_t keep_pressures(std::int64_t, const rc_result* result, void* user) {
+  Pressures& kept = *static_cast<Pressures*>(user);
+  const double* const p = static_cast<const double*>(result->p.data);
+  kept.steps.emplace_back(p, p + kept.points);
+  return 0;
+}
+
+rc_status follow(const Case& c, rc_contact* contact, const Field& targets, const Surface& surface, Columns& columns,
+                 Pressures& pressures) {
+  rc_history history = RC_HISTORY_INIT;
+  history.control = c.scene().control;
+  history.warm_start = c.scene().steps.front().warm;
+  history.n = static_cast<std::int64_t>(targets.size());
+  history.targets = RC_IN(targets.data());
+  history.undeformed_gap = RC_IN(surface.gap.data());
+  history.mask = RC_IN(surface.mask.empty() ? nullptr : surface.mask.data());
+  history.fn = keep_pressures;
+  history.user = &pressures;
+  history.columns = columns.request();
+  return rc_contact_solve_history(contact, &history);
+}
+
+}  // namespace scenes

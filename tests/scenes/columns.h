@@ -1,0 +1,36 @@
+// The numbers of a history's or batch's steps, as arrays of their own.
+#pragma once
+
+#include <roughcontact/history.h>
+
+#include "case.h"
+
+namespace scenes {
+
+struct Columns {
+  explicit Columns(std::size_t steps);
+
+  /** Points a request's columns at these arrays. */
+  rc_columns request();
+  /** The same numbers from an answer of rc_contact_solve. */
+  void take(std::size_t k, const StepAnswer& answer);
+  /** Fails unless steps first .. first+count-1 of `all` have the same bits as these. */
+  void need_same(const Columns& all, std::size_t first, const std::string& what) const;
+
+  std::vector<Field> reals;  // in the order of rc_columns
+  std::vector<std::int64_t> iterations, products;
+  std::vector<rc_status> status;
+};
+
+/** The pressures of every step, in order. */
+struct Pressures {
+  std::size_t points;
+  std::vector<Field> steps;
+};
+std::int32_t keep_pressures(std::int64_t step, const rc_result* result, void* pressures);
+
+/** By rc_contact_solve_history, with all columns. */
+rc_status follow(const Case& c, rc_contact* contact, const Field& targets, const Surface& surface, Columns& columns,
+                 Pressures& pressures);
+
+}  // namespace scenes

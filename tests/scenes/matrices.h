@@ -1,0 +1,13 @@
+// Symmetric positive definite matrices of several kinds.
+#pragma once
+
+#include "random.h"
+#include "scene.h"
+
+namespace scenes {
+
+/** [n*n], row by row: factors of both signs, factors of one sign, a decaying line, points of a half-space; condition up to 1e6.
+ */
+Field random_matrix(std::size_t n, Random& random);
+
+}  // namespace scenes

@@ -1,0 +1,54 @@
+// What must hold of every scene. A property asks the library, keeps its answers, and judges them. Its spoiler changes the answers
+// by as little as the property must notice: properties that notice nothing are found by the spoilt answers.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "case.h"
+
+namespace scenes {
+
+enum class Verdict { held, undecidable };
+
+class Property {
+ public:
+  virtual ~Property() = default;
+  /** Why this scene does not have the property, "" if it does. */
+  virtual std::string ask(const Case& c) = 0;
+  /** Throws pairs::Failure if the answers contradict the property. */
+  virtual Verdict judge(const Case& c) const = 0;
+  /** False where nothing can be spoilt. */
+  virtual bool spoil(const Case& c, Random& random) = 0;
+};
+
+struct Kind {
+  const char* name;
+  std::uint64_t every, at;  // seeds with seed % every == at
+  double least_asked;       // share of these seeds
+  double most_undecidable;  // share of those asked
+  std::unique_ptr<Property> (*make)();
+};
+
+template <class P> std::unique_ptr<Property> made() { return std::make_unique<P>(); }
+
+std::span<const Kind> properties_of_steps();
+std::span<const Kind> properties_of_sequences();
+std::span<const Kind> properties_of_slopes();
+std::span<const Kind> properties_of_laws();
+
+/** A text with a number for failures. */
+inline std::string number(Real value) { return pairs::text(static_cast<double>(value)); }
+inline void need(bool condition, const std::string& what) {
+  if (!condition) throw pairs::Failure(what);
+}
+
+/** The answer is what its solver must certify: `target` of the scene's control. */
+void judge_certified(const Case& c, const Surface& surface, const StepAnswer& answer, double target);
+/** It is the exact one, as closely as tol promises. */
+Verdict judge_exact(const Case& c, const Surface& surface, const StepAnswer& answer, const Exact& exact, double target);
+/** The exact answer lies in the intervals that the library proves. Also for answers that are not certified. */
+Verdict judge_intervals(const Case& c, const Surface& surface, const StepAnswer& answer, const Exact& exact);
+
+}  // namespace scenes

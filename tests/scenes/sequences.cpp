@@ -1,0 +1,296 @@
+// Properties of calls that repeat, interrupt or refuse steps.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "columns.h"
+#include "property.h"
+
+namespace scenes {
+
+namespace {
+
+// All intervals and stiffnesses, as histories and batches give them if they are wanted.
+const pairs::Settings everything{{"stiffness", "2"}, {"bounds", "1"}};
+
+bool one_surface(const Scene& scene) {
+  return std::ranges::all_of(scene.steps, [](const Step& step) { return step.surface == 0; });
+}
+
+bool all_certified(const Case& c) { return c.answers().size() == c.scene().steps.size() && c.answers().back().status == RC_OK; }
+
+Field targets_of(const Scene& scene, std::size_t first) {
+  Field targets;
+  for (std::size_t k = 0; k < scene.steps.size(); ++k) targets.push_back(scene.steps[(first + k) % scene.steps.size()].target);
+  return targets;
+}
+
+void need_same_pressures(const std::vector<Field>& wanted, const std::vector<Field>& found, const std::string& what) {
+  need(wanted.size() == found.size(), what + ": " + std::to_string(found.size()) + " steps");
+  for (std::size_t k = 0; k < wanted.size(); ++k)
+    pairs::check_same(found[k], wanted[k], what + ", step " + std::to_string(k) + ", p");
+}
+
+std::vector<Field> pressures_of(const std::vector<StepAnswer>& answers) {
+  std::vector<Field> all;
+  for (const StepAnswer& answer : answers) all.push_back(answer.p);
+  return all;
+}
+
+// One bit of one pressure.
+bool spoil_pressure(std::vector<Field>& steps, Random& random) {
+  Field& p = steps[static_cast<std::size_t>(random.below(static_cast<std::int64_t>(steps.size())))];
+  double& value = p[static_cast<std::size_t>(random.below(static_cast<std::int64_t>(p.size())))];
+  value = std::nextafter(value, 1e300);
+  return true;
+}
+
+bool spoil_column(Columns& columns, std::size_t from, std::size_t count, Random& random) {
+  const std::size_t k = from + static_cast<std::size_t>(random.below(static_cast<std::int64_t>(count)));
+  double& value = columns.reals[static_cast<std::size_t>(random.below(13))][k];
+  if (std::isfinite(value))
+    value = std::nextafter(value, std::numeric_limits<double>::infinity());
+  else
+    value = 0;
+  return true;
+}
+
+class AsHistory final : public Property {
+ public:
+  std::string ask(const Case& c) override {
+    if (!one_surface(c.scene())) return "two surfaces";
+    if (!all_certified(c)) return "not certified";
+    by_steps_ = by_history_ = Columns(c.scene().steps.size());
+    const Handle steps = c.open(everything);
+    const auto answers = c.solve_all(steps.get());
+    for (std::size_t k = 0; k < answers.size(); ++k) by_steps_.take(k, answers[k]);
+    p_by_steps_ = pressures_of(answers);
+    const Handle contact = c.open();
+    kept_.points = c.scene().points();
+    status_ = follow(c, contact.get(), targets_of(c.scene(), 0), c.scene().surfaces.front(), by_history_, kept_);
+    return "";
+  }
+  Verdict judge(const Case&) const override {
+    need(status_ == RC_OK, std::string("the history ends with ") + rc_status_name(status_));
+    by_steps_.need_same(by_history_, 0, "history");
+    need_same_pressures(p_by_steps_, kept_.steps, "history");
+    return Verdict::held;
+  }
+  bool spoil(const Case&, Random& random) override {
+    return random.chance(0.3) ? spoil_pressure(kept_.steps, random)
+                              : spoil_column(by_history_, 0, by_history_.status.size(), random);
+  }
+
+ private:
+  Columns by_steps_{0}, by_history_{0};
+  Pressures kept_{};
+  std::vector<Field> p_by_steps_;
+  rc_status status_ = RC_ERR_INTERNAL;
+};
+
+// Contacts on the scene's surfaces, each with the targets in another order.
+class AsBatch final : public Property {
+ public:
+  std::string ask(const Case& c) override {
+    const Scene& scene = c.scene();
+    if (!all_certified(c)) return "not certified";
+    const std::size_t n = scene.points(), steps = scene.steps.size();
+    const bool masks = std::ranges::any_of(scene.surfaces, [](const Surface& s) { return !s.mask.empty(); });
+    Field gaps, targets;
+    std::vector<std::uint8_t> mask;
+    std::vector<Surface> surfaces;
+    for (std::size_t i = 0; i < contacts; ++i) {
+      surfaces.push_back(scene.surfaces[i % scene.surfaces.size()]);
+      Surface& surface = surfaces.back();
+      if (masks && surface.mask.empty()) surface.mask.assign(n, 1);
+      gaps.insert(gaps.end(), surface.gap.begin(), surface.gap.end());
+      mask.insert(mask.end(), surface.mask.begin(), surface.mask.end());
+      const Field own = targets_of(scene, i);
+      targets.insert(targets.end(), own.begin(), own.end());
+      single_.emplace_back(steps);
+      Pressures kept{n, {}};
+      const Handle contact = c.open();
+      const rc_status status = follow(c, contact.get(), own, surface, single_.back(), kept);
+      if (status != RC_OK) return "the steps in another order are not certified";
+      p_single_.push_back(kept.steps.back());
+    }
+    all_ = Columns(contacts * steps);
+    Field p(contacts * n);
+    rc_batch batch = RC_BATCH_INIT;
+    batch.control = scene.control;
+    batch.warm_start = scene.steps.front().warm;
+    batch.n = contacts;
+    batch.steps = static_cast<std::int64_t>(steps);
+    batch.targets = RC_IN(targets.data());
+    batch.undeformed_gap = RC_IN(gaps.data());
+    batch.mask = RC_IN(masks ? mask.data() : nullptr);
+    batch.p = RC_OUT(p.data());
+    batch.columns = all_.request();
+    status_ = rc_batch_solve(&c.system(), c.options().get(), &batch);
+    message_ = rc_last_error();
+    for (std::size_t i = 0; i < contacts; ++i)
+      p_.emplace_back(p.begin() + static_cast<std::ptrdiff_t>(i * n), p.begin() + static_cast<std::ptrdiff_t>((i + 1) * n));
+    return "";
+  }
+  Verdict judge(const Case& c) const override {
+    need(status_ == RC_OK, std::string("the batch ends with ") + rc_status_name(status_) + ": " + message_);
+    for (std::size_t i = 0; i < contacts; ++i)
+      single_[i].need_same(all_, i * c.scene().steps.size(), "contact " + std::to_string(i) + " of the batch");
+    need_same_pressures(p_single_, p_, "batch");
+    return Verdict::held;
+  }
+  bool spoil(const Case&, Random& random) override {
+    return random.chance(0.3) ? spoil_pressure(p_, random) : spoil_column(all_, 0, all_.status.size(), random);
+  }
+
+ private:
+  static constexpr std::size_t contacts = 3;
+  std::vector<Columns> single_;
+  std::vector<Field> p_single_, p_;
+  Columns all_{0};
+  rc_status status_ = RC_ERR_INTERNAL;
+  std::string message_;
+};
+
+// A contact that is restored after a step goes on as the one that solved it.
+class AsRestored final : public Property {
+ public:
+  std::string ask(const Case& c) override {
+    const Scene& scene = c.scene();
+    if (scene.steps.size() < 2) return "one step";
+    if (!all_certified(c)) return "not certified";
+    const pairs::Settings resumable{{"resumable", "1"}};
+    const Handle solver = c.open(resumable), restored = c.open(resumable);
+    const auto answers = c.solve_all(solver.get());
+    if (answers.back().status != RC_OK) return "not certified if resumable";
+    Random random(scene.seed, 500);
+    const auto k = static_cast<std::size_t>(random.below(static_cast<std::int64_t>(scene.steps.size()) - 1));
+    const StepAnswer& last = answers[k];
+    const Surface& surface = c.surface(k);
+    rc_state state = RC_STATE_INIT;
+    state.undeformed_gap = RC_IN(surface.gap.data());
+    state.mask = RC_IN(surface.mask.empty() ? nullptr : surface.mask.data());
+    state.p = RC_IN(last.p.data());
+    state.approach = last.result.approach;
+    state.load = last.result.load;
+    state.indentation = RC_IN(last.indentation_after.empty() ? nullptr : last.indentation_after.data());
+    if (k > 0 && scene.steps[k - 1].surface == scene.steps[k].surface) {
+      state.p_before = RC_IN(answers[k - 1].p.data());
+      state.approach_before = answers[k - 1].result.approach;
+      state.load_before = answers[k - 1].result.load;
+    }
+    pairs::check(rc_contact_restore(restored.get(), &state) == RC_OK, std::string("rc_contact_restore: ") + rc_last_error());
+    next_ = answers[k + 1];
+    after_ = c.solve(restored.get(), scene.steps[k + 1]);
+    return "";
+  }
+  Verdict judge(const Case&) const override {
+    need(after_.status == next_.status, std::string("the restored contact ends with ") + rc_status_name(after_.status));
+    pairs::check_same(after_.p, next_.p, "restored: p");
+    pairs::check_same(after_.gap, next_.gap, "restored: gap");
+    pairs::check_same({after_.result.load, after_.result.approach, after_.result.energy},
+                      {next_.result.load, next_.result.approach, next_.result.energy}, "restored: load, approach, energy");
+    return Verdict::held;
+  }
+  bool spoil(const Case&, Random& random) override {
+    double& value = random.chance(0.5) ? after_.result.approach : after_.p.front();
+    value = std::nextafter(value, 1e300);
+    return true;
+  }
+
+ private:
+  StepAnswer next_, after_;
+};
+
+// Neither the number of threads nor what a contact solved before a reset changes a bit.
+class AsAgain final : public Property {
+ public:
+  std::string ask(const Case& c) override {
+    if (!all_certified(c)) return "not certified";
+    first_ = pressures_of(c.answers());
+    const Handle contact = c.open({{"threads", std::to_string(1 + c.scene().seed % 4)}});
+    again_ = pressures_of(c.solve_all(contact.get()));
+    if (rc_contact_reset(contact.get()) != RC_OK) return "refused";
+    for (const Field& p : pressures_of(c.solve_all(contact.get()))) again_.push_back(p);
+    return "";
+  }
+  Verdict judge(const Case&) const override {
+    const auto half = static_cast<std::ptrdiff_t>(first_.size());
+    need(again_.size() == 2 * first_.size(), "steps are missing");
+    need_same_pressures(first_, {again_.begin(), again_.begin() + half}, "other threads");
+    need_same_pressures(first_, {again_.begin() + half, again_.end()}, "after a reset");
+    return Verdict::held;
+  }
+  bool spoil(const Case&, Random& random) override { return spoil_pressure(again_, random); }
+
+ private:
+  std::vector<Field> first_, again_;  // the latter twice
+};
+
+// A step that has no answer is refused, writes nothing, and leaves the contact as it was.
+class Refused final : public Property {
+ public:
+  std::string ask(const Case& c) override {
+    const Scene& scene = c.scene();
+    if (!all_certified(c)) return "not certified";
+    Random random(scene.seed, 600);
+    const Handle contact = c.open();
+    const Step& last = scene.steps.front();
+    const StepAnswer before = c.solve(contact.get(), last);
+    const Surface& surface = scene.surfaces[last.surface];
+    Field gap = surface.gap;
+    rc_step step = c.step(last);
+    expected_ = RC_ERR_ARGUMENT;
+    double included = 0;
+    for (std::size_t i = 0; i < scene.points(); ++i) included += surface.included(i);
+    const std::int64_t kind = random.below(4);
+    if (kind == 0) {
+      for (std::size_t i = 0; i < gap.size(); ++i)
+        if (surface.included(i)) gap[i] = std::numeric_limits<double>::quiet_NaN();
+      step.undeformed_gap = RC_IN(gap.data());
+    } else if (kind == 1) {
+      step.target = std::numeric_limits<double>::quiet_NaN();
+    } else if (kind == 2 && scene.control != RC_CONTROL_APPROACH) {
+      step.target = -1;
+      expected_ = RC_ERR_INFEASIBLE;
+    } else if (scene.by_load() && scene.hard()) {
+      step.target = 1.001 * scene.system.hardness * scene.cell_area() * included;
+      if (scene.control == RC_CONTROL_PRESSURE) step.target /= static_cast<double>(scene.points()) * scene.cell_area();
+      expected_ = RC_ERR_INFEASIBLE;
+    } else {
+      step.control = 3;
+    }
+    answer_ = c.solve(contact.get(), step);
+    return before.status == RC_OK ? "" : "not certified";
+  }
+  Verdict judge(const Case& c) const override {
+    need(answer_.status == expected_,
+         std::string(rc_status_name(answer_.status)) + " instead of " + rc_status_name(expected_) + ": " + answer_.message);
+    need(!answer_.message.empty(), "a refusal without words");
+    const auto untouched = [](double value) { return value == -7; };
+    need(std::ranges::all_of(answer_.p, untouched) && std::ranges::all_of(answer_.gap, untouched), "a refused step writes");
+    need(!c.scene().hard() || answer_.indentation == answer_.indentation_after, "a refused step leaves an indentation");
+    return Verdict::held;
+  }
+  bool spoil(const Case&, Random&) override {
+    answer_.p.front() = 0;
+    return true;
+  }
+
+ private:
+  StepAnswer answer_;
+  rc_status expected_ = RC_ERR_INTERNAL;
+};
+
+constexpr std::array kinds_of_sequences{
+    Kind{"history", 2, 0, 0.6, 0, made<AsHistory>},   Kind{"batch", 3, 1, 0.8, 0, made<AsBatch>},
+    Kind{"restored", 3, 2, 0.4, 0, made<AsRestored>}, Kind{"again", 4, 1, 0.9, 0, made<AsAgain>},
+    Kind{"refused", 4, 3, 0.9, 0, made<Refused>},
+};
+
+}  // namespace
+
+std::span<const Kind> properties_of_sequences() { return kinds_of_sequences; }
+
+}  // namespace scenes
