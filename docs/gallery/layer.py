@@ -1,30 +1,14 @@
 # %% [markdown]
-# # A layer, as a function in Python
+# # A coated half-space
 #
-# An elastic layer of thickness t is bonded to a half-space of another material. Under a wave of pressure with wave number q its
-# deflection is f(q t) times that of the half-space (Burmister 1945; O'Sullivan & King 1988). The function goes to
-# `Context.add_kernel`. A ball is pressed in with the same approach; a is the radius of contact on the bare half-space.
+# A ball is pressed onto an elastic layer of thickness t that is bonded to a half-space of another material, always by the same
+# approach; a is the radius of contact on the bare half-space.
 
 # %%
 import matplotlib.pyplot as plt
 import numpy as np
 
 import roughcontact as rc
-
-
-def compliance(ratio, thickness, nu1=0.3, nu2=0.3):
-    """E* of the half-space times the deflection by a wave of unit pressure; ratio: E* of the layer over that of the half-space."""
-    mu = ratio * (1 - nu1) / (1 - nu2)
-    lam, kappa = 1 - 4 * (1 - nu1) / (1 + mu * (3 - 4 * nu2)), (mu - 1) / (mu + 3 - 4 * nu1)
-
-    def symbol(qx, qy):
-        q = np.maximum(np.hypot(qx, qy), 1e-300)
-        s = q * thickness
-        e = np.exp(-2 * s)
-        f = (1 + 4 * kappa * s * e - lam * kappa * e**2) / (1 - (lam + kappa + 4 * kappa * s**2) * e + lam * kappa * e**2)
-        return 2 / q * f / ratio
-
-    return symbol
 
 
 n, pitch = 256, 1 / 16  # a = 1, the periods are 16
@@ -34,10 +18,9 @@ how = dict(pitch=pitch, modulus=1, approach=0.1, boundary="periodic")
 bare = rc.solve(ball, **how)
 
 
-def press(ratio, thickness):
-    context = rc.Context()
-    context.add_kernel("layer", compliance(ratio, thickness))
-    return rc.solve(ball, kernel="layer", context=context, **how)
+def press(ratio, thickness):  # ratio: E* of the layer over that of the half-space
+    layer = {"layer.thickness": thickness, "layer.modulus": ratio}
+    return rc.solve(ball, kernel="layer", options=layer, **how)
 
 
 # %%

@@ -110,7 +110,7 @@ Promises promises_of(const System& system) {
   Promises result;
   result.most = system.half_space_wave();
   result.bounds = system.kernel.influence->bounds(system.unit, result.most);
-  if (!system.kernel.influence->built_in()) system.kernel.influence->coefficients(system.unit, 1, 1, &result.self);
+  if (!system.kernel.influence->half_space()) system.kernel.influence->coefficients(system.unit, 1, 1, &result.self);
   return result;
 }
 
@@ -123,7 +123,7 @@ void take_promises(System& result, const rc_options& options) {
   result.bounds.lambda_most = result.kernel.promises->most;
   (result.periodic() ? result.bounds.lambda_wave : result.bounds.lambda_min) = result.kernel.promises->bounds.lowest;
   result.bounds.galerkin_share = result.kernel.promises->bounds.galerkin_share;
-  if (!result.kernel.influence->built_in())
+  if (!result.kernel.influence->half_space())
     result.bounds.least_deflection = std::min(result.bounds.least_deflection, result.kernel.promises->self);
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "kernel/kernels.h"
+#include "kernel/layer/component.h"
 #include "kernel/lowest_eigenvalue.h"
 #include "kernel/semi_periodic.h"
 
@@ -70,8 +71,9 @@ constexpr auto components = [] {
   return made;
 }();
 constexpr auto entries = [] {
-  std::array<const rc_kernel*, components.size()> made;
+  std::array<const rc_kernel*, components.size() + 1> made{};
   std::transform(components.begin(), components.end(), made.begin(), [](const rc_kernel& each) { return &each; });
+  made.back() = &layer::component;
   return made;
 }();
 

@@ -65,10 +65,10 @@ rc_kernel_bounds SystemKernel::promised(const rc_system& system) const {
 
 rc_kernel_bounds SystemKernel::bounds(const rc_system& system, double& largest) const {
   rc_kernel_bounds found = promised(system);
-  if (built_in_) return found;
+  if (half_space()) return found;
   if (kernel::semi_periodic(system.boundary)) found.galerkin_share = 0;  // a promise about free boundaries
   if (system.boundary != RC_BOUNDARY_PERIODIC) {
-    check_coefficients(system, found);
+    if (!built_in_) check_coefficients(system, found);
     found.lowest =
         std::max(found.lowest, found.galerkin_share * kernel::lowest_eigenvalue(*kernel::find("galerkin"), system.hx, system.hy));
     return found;

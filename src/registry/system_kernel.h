@@ -19,6 +19,8 @@ class SystemKernel {
   std::string_view name() const { return kernel_.name; }
   bool has(std::uint64_t cap) const { return (kernel_.caps & cap) != 0; }
   bool built_in() const { return built_in_; }
+  // One of the library's kernels of a homogeneous half-space, of which all that is promised is known.
+  bool half_space() const { return built_in_ && has(RC_KERNEL_HOMOGENEOUS); }
 
   // Checks what can be seen of a kernel from outside before anything depends on it, and returns its promises. The lowest
   // eigenvalue follows from the share of galerkin where that says more; periodic systems: from the symbol. largest: out, the

@@ -21,7 +21,11 @@ std::vector<std::string> names(std::int64_t count, rc_status (*describe)(rc_cont
 
 std::vector<std::string> solver_names() { return names(rc_solver_count(nullptr), rc_solver_describe); }
 std::vector<std::string> backend_names() { return names(rc_backend_count(nullptr), rc_backend_describe); }
-std::vector<std::string> kernel_names() { return names(rc_kernel_count(nullptr), rc_kernel_describe); }
+std::vector<std::string> kernel_names() {
+  std::vector<std::string> result = names(rc_kernel_count(nullptr), rc_kernel_describe);
+  std::erase(result, "layer");
+  return result;
+}
 
 std::vector<Pair> all_pairs() {
   std::vector<Pair> result;

@@ -11,6 +11,7 @@ namespace pairs {
 
 std::vector<std::string> solver_names();
 std::vector<std::string> backend_names();
+/** The kernels of a half-space, which need no options. */
 std::vector<std::string> kernel_names();
 /** Every solver with every backend. */
 std::vector<Pair> all_pairs();

@@ -102,7 +102,7 @@ Remarks remarks_on(const GridProblem& problem, const Answer& answer, const Attem
   if (answer.handed_over || (needs & RC_CAP_SUBSET)) replaced(RC_CAP_SUBSET, "systems on subsets");
   if (needs & RC_CAP_SHIFTED) replaced(RC_CAP_SHIFTED, "shifted systems");
   const System& system = problem.system;
-  if (system.halfspace() && !system.kernel.influence->built_in() &&
+  if (system.halfspace() && !system.kernel.influence->half_space() &&
       (system.periodic() ? system.bounds.lambda_wave : system.bounds.lambda_min) == 0 &&
       problem.options.integer(RC_OPT_BOUNDS) != 0 && problem.goal.error == 0)
     remarks.add(join("bounds: kernel \"", system.kernel.name, "\" promises no lowest eigenvalue"));

@@ -341,7 +341,7 @@ Section names() {
            }},
           {"component number out of range",
            RC_ERR_ARGUMENT,
-           {"rc_kernel_describe: i = 99: there are 6, numbered from 0"},
+           {"rc_kernel_describe: i = 99: there are 7, numbered from 0"},
            [] {
              rc_component component{};
              component.struct_size = sizeof component;

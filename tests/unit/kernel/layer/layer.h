@@ -1,4 +1,4 @@
-// An elastic layer on a half-space of modulus 1, by the example's kernel.
+// An elastic layer on a half-space of modulus 1, or on a rigid base.
 #pragma once
 
 #include <roughcontact/plugin.h>
@@ -9,14 +9,13 @@
 
 #include "support/cmocka.hpp"
 
-extern "C" rc_status rc_builtin_layer(const rc_host* host, const rc_plugin** out);
-
 namespace layer {
 
 inline constexpr double pi = std::numbers::pi;
 
 struct Layer {
   double thickness, modulus, poisson = 0.3, substrate = 0.3;  // modulus: E1/(1-nu1^2)
+  const char *base = "half-space", *interface = "bonded";
 };
 
 /** How a flat punch of radius a feels a layer of thickness t = xi a that is little unlike the half-space: its stiffness is

@@ -1,4 +1,4 @@
-// The example's kernel: an elastic layer on a half-space.
+// The kernel "layer".
 #include "layer.h"
 
 int main() {
