@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # ./test.sh [--quick | --full]: installs what is missing, then builds and tests. Ends with the time of each stage, the ten slowest
 # tests, and "N passed, N failed, N skipped".
-#   --quick  before each commit: checks of the source, gcc without benchmarks, reduced tests
+#   --quick  before each commit: checks of the source, gcc without benchmarks, reduced tests of what changed (scripts/affected.py)
 #   (none)   what CI runs: checks of the source, gcc, checks of the binaries, a smoke test of other systems, address, undefined
 #            behaviour and thread sanitizers where they tell most
 #   --full   before a release: all sizes, measured surfaces where they are, the tests on other systems, every family under the
@@ -96,6 +96,17 @@ if command -v ccache >/dev/null; then
 fi
 rm -f build-*/ctest-*.log
 
+# The tests of what changed; the commands of a page are slow and its only tests.
+quick_tests() {
+  local folder labels names=()
+  build gcc -DRC_BUILD_BENCH=OFF || { failed=$((failed + 1)); return; }
+  for folder in $(scripts/affected.py); do
+    labels='slow|full'
+    [ "$folder" != outside/docs ] || labels=full
+    mapfile -t -O ${#names[@]} names < <(ctest --test-dir "build-gcc/tests/$folder" -N -LE "$labels" | sed -nE 's/^ *Test +#[0-9]+: //p')
+  done
+  [ ${#names[@]} = 0 ] || run_tests gcc -R "^($(IFS='|'; echo "${names[*]}"))\$"
+}
 gcc_build() { build gcc -DRC_BUILD_BENCH=ON || failed=$((failed + 1)); }
 source_checks() {
   check .ci/include_graph.py
@@ -129,7 +140,7 @@ mutants() { if build mutants; then check scripts/mutants.py build-mutants --jobs
 
 stage "checks of the source" source_checks
 if quick; then
-  RC_TEST_QUICK=1 stage "gcc, reduced tests" verify gcc "-DRC_BUILD_BENCH=OFF" -LE 'slow|full'
+  RC_TEST_QUICK=1 stage "gcc, reduced tests of what changed" quick_tests
 else
   stage "gcc: build" gcc_build
   if full; then stage "gcc: tests" run_tests gcc; else stage "gcc: tests" run_tests gcc -LE full; fi
