@@ -185,7 +185,7 @@ rc_status rc_flow_of_result(const rc_system* given_system, const rc_options* opt
       if ((!mask || mask[i] != 0) && !std::isfinite(gap[i]))
         fail(RC_ERR_ARGUMENT, "rc_result.gap is ", gap[i], " at ", i, ", where the mask excludes no point");
     const Layout layout = layout_of(system, spec);
-    const double error = gap_error(system, result, mask, largest_deflection(system, options), spec.load);
+    const double error = gap_error(system, options, result, mask, spec.load);
     if (!std::isnan(error)) return flow_of(layout, spec, contact_gap(system, result, mask, error, !(spec.load > 0)), error);
     rc_flow_result answer = flow_of(layout, spec, contact_gap(system, result, mask, 0, false), error);
     answer.lower = 0;

@@ -29,7 +29,7 @@ int32_t stop_step(const rc_progress*, void*) { return stop_asked<Library>() ? 1 
 class Press {
  public:
   Press(const rc_system& system, const rc_options* options, const rc_step& step, const rc_flow_spec& spec)
-      : system_(system), step_(step), layout_(layout_of(system, spec)), deflection_(largest_deflection(system, options)) {
+      : system_(system), step_(step), layout_(layout_of(system, spec)) {
     rc_contact* made = nullptr;
     check_core(rc_contact_create(&system, options, &made));
     contact_.reset(made);
@@ -56,7 +56,7 @@ class Press {
     stop_if_asked();
     check_core(status);
     const auto* mask = static_cast<const std::uint8_t*>(step_.mask.data);
-    const double error = gap_error(system_, result, mask, deflection_, 0);
+    const double error = gap_error(system_, nullptr, result, mask);
     if (std::isnan(error)) {
       if (result.contacts ==
           system_.nx * system_.ny)  // in full periodic contact nothing is open; no interval of the load is proven
@@ -81,7 +81,6 @@ class Press {
   const rc_system& system_;
   rc_step step_;
   const Layout layout_;
-  const double deflection_;
   std::unique_ptr<rc_contact, DestroyContact> contact_;
   std::vector<double> p_, gap_;
 };

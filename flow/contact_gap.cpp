@@ -59,9 +59,8 @@ double largest_deflection(const rc_system& system, const rc_options* options) {
   return u[0] * (1 + 1e-5);  // products may be in single precision
 }
 
-double gap_error(const rc_system& system, const rc_result& result, const std::uint8_t* mask, double deflection, double load) {
-  const double cell = system.hx * system.hy, energy = std::max(result.duality_gap, 0.0) / cell;
-  if (std::isnan(result.duality_gap)) return result.duality_gap;
+double gap_error(const rc_system& system, const rc_options* options, const rc_result& result, const std::uint8_t* mask,
+                 double load) {
   const auto n = static_cast<std::size_t>(system.nx * system.ny);
   const auto* gap = static_cast<const double*>(result.gap.data);
   double low = std::numeric_limits<double>::infinity(), high = 0;
@@ -71,9 +70,12 @@ double gap_error(const rc_system& system, const rc_result& result, const std::ui
     high = std::max(high, std::abs(gap[i]));
   }
   const double rounding = of_products * std::abs(result.approach) + 1e-13 * high;
-  if (!(load > 0)) return std::sqrt(2 * deflection * energy) + rounding;
+  if (!(load > 0)) return result.gap_error + rounding;
   // At the prescribed load: |d* - d| <= e + |min g|, e^2 = 2 H00 (G + |W_p - W| |d* - d|) over the cell.
-  const double lowest = std::abs(low), off = std::abs(result.load - load) / cell;
+  if (std::isnan(result.duality_gap)) return result.duality_gap;
+  const double cell = system.hx * system.hy, energy = std::max(result.duality_gap, 0.0) / cell;
+  const double deflection = largest_deflection(system, options), lowest = std::abs(low),
+               off = std::abs(result.load - load) / cell;
   const double b = deflection * off, c = 2 * deflection * (energy + off * lowest);
   const double e = b + std::sqrt(b * b + c);
   return 2 * e + lowest + 2 * rounding;

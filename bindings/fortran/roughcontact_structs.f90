@@ -42,7 +42,7 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_result
-    integer(c_size_t) :: struct_size = merge(968, 948, c_intptr_t == 8)
+    integer(c_size_t) :: struct_size = merge(976, 956, c_intptr_t == 8)
     type(rc_array) :: p = rc_array(), gap = rc_array()
     integer(rc_status) :: status = RC_ERR_ARGUMENT
     integer(c_int32_t) :: homogeneous = 0
@@ -50,7 +50,7 @@ module roughcontact_structs
       mean_gap = 0, energy = 0
     integer(c_int64_t) :: contacts = 0
     real(c_double) :: kkt_primal = 0, kkt_dual = 0, kkt_complementarity = 0, kkt_control = 0, tolerance = 0, duality_gap = 0, &
-      load_lower = 0, load_upper = 0, area_lower = 0, area_upper = 0
+      gap_error = 0, load_lower = 0, load_upper = 0, area_lower = 0, area_upper = 0
     integer(c_int64_t) :: proven_contacts = 0, proven_open = 0, undecided = 0
     real(c_double) :: stiffness = 0, stiffness_lower = 0, stiffness_upper = 0, punch_stiffness = 0
     integer(c_int64_t) :: capped = 0

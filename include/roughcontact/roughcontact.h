@@ -296,6 +296,7 @@ typedef struct rc_result {
   double duality_gap;  /* energy - least energy is at most this [force length], see docs/certificate.md;
                           this and the bounds below: NaN (counts: -1) where no proof is known, option bounds is
                           0 or accuracy is set. Full periodic contact: NaN, and intervals that exclude nothing       */
+  double gap_error;    /* the exact deformed gap of every point differs from gap by at most this [length]            */
   double load_lower, load_upper; /* the exact load at this approach lies between [force]                             */
   double area_lower, area_upper; /* and the exact contact area [length^2]                                            */
   int64_t proven_contacts; /* points proven to be in contact                                                         */

@@ -13,6 +13,7 @@ rc::Bounds put(Figures& figures, const std::string& name, const Small& small, rc
       prove_bounds(system, spectrum_of(system), surface, small.compression, small.answer, small.survey(), sets);
   figures.section(name);
   figures.exact("gap", bounds.duality_gap);
+  figures.exact("gap_error", bounds.gap_error);
   figures.exact("lower", bounds.load_lower);
   figures.exact("upper", bounds.load_upper);
   figures.exact("area_lower", bounds.area_lower);

@@ -71,6 +71,7 @@ void put(Figures& figures, rc_contact* contact, rc_status status, const rc_resul
   figures.near("lower", r.load_lower);
   figures.near("upper", r.load_upper);
   figures.near("duality_gap", r.duality_gap);
+  figures.near("gap_error", r.gap_error);
   figures.exact("area_lower", r.area_lower);
   figures.exact("area_upper", r.area_upper);
   figures.exact("proven_contacts", static_cast<double>(r.proven_contacts));
@@ -93,7 +94,7 @@ void spoil(rc_result& r) {
   r.levels = -5;
   r.homogeneous = 5;
   r.points = -5;
-  r.load_lower = r.load_upper = r.duality_gap = r.area_lower = r.area_upper = -5;
+  r.load_lower = r.load_upper = r.duality_gap = r.gap_error = r.area_lower = r.area_upper = -5;
   r.proven_contacts = r.proven_open = r.undecided = -5;
 }
 

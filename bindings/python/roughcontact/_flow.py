@@ -193,7 +193,7 @@ def leak_of(
         struct.op, struct.modulus, struct.hardness = _constants.RC_OPERATOR_HALFSPACE, grid.modulus, grid.hardness or 0
     potential = np.empty(grid.shape) if want_potential else None
     spec = given(_spec(**wanted), mask=grid.mask, potential=potential)
-    names = ("status", "load", "approach", "duality_gap", "proven_contacts")
+    names = ("status", "load", "approach", "duality_gap", "gap_error", "proven_contacts")
     solved = given(rc_result(), p=as_doubles(pressure, "pressure"), gap=as_doubles(deformed, "gap"))
     given(solved, **{name: getattr(result, name) for name in names})
     out, kernel = rc_flow_result(), {_constants.RC_OPT_KERNEL: result.kernel} if result.kernel else {}

@@ -20,7 +20,7 @@ STEP_COLUMNS = (
     *("status", "approach", "load", "mean_pressure", "area_fraction", "max_pressure", "mean_gap", "corrected_area"),
     *("patches", "largest_patch", "contact_crosses", "gap_crosses", "contacts", "candidates", "stiffness", "punch_stiffness"),
     *("kkt_primal", "kkt_dual", "kkt_complementarity", "kkt_control", "iterations", "products", "seconds", "setup_seconds"),
-    *("solver", "backend", "kernel", "points", "modelled", "energy", "duality_gap", "load_lower", "load_upper"),
+    *("solver", "backend", "kernel", "points", "modelled", "energy", "duality_gap", "gap_error", "load_lower", "load_upper"),
     *("area_lower", "area_upper", "stiffness_lower", "stiffness_upper", "proven_contacts", "proven_open", "undecided"),
     *("tolerance", "model_nx", "model_ny", "error_estimate", "left_out", "area_estimate", "note", "message"),
     *("capped", "plastic_volume", "proven_capped"),

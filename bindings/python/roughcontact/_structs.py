@@ -36,8 +36,8 @@ class rc_step(Sized):
 class rc_result(Sized):
     members = """size_t struct_size; rc_array p gap; rc_status status=RC_ERR_ARGUMENT; int32_t homogeneous;
     double load approach mean_pressure max_pressure contact_area area_fraction mean_gap energy; int64_t contacts;
-    double kkt_primal kkt_dual kkt_complementarity kkt_control tolerance duality_gap load_lower load_upper;
-    double area_lower area_upper; int64_t proven_contacts proven_open undecided;
+    double kkt_primal kkt_dual kkt_complementarity kkt_control tolerance duality_gap gap_error load_lower;
+    double load_upper area_lower area_upper; int64_t proven_contacts proven_open undecided;
     double stiffness stiffness_lower stiffness_upper punch_stiffness; int64_t capped; double plastic_volume;
     int64_t proven_capped points candidates modelled iterations products levels; double seconds setup_seconds;
     char*32 solver backend kernel; char*512 note"""

@@ -119,6 +119,8 @@ class Result(Answer):
     note: str
     #: the energy is above the least one by this at most [force length]; NaN where no proof is known
     duality_gap: float
+    #: the exact deformed gap of every point differs from `gap` by at most this [length]
+    gap_error: float
     #: the exact load at this approach lies between [force]
     load_lower: float
     load_upper: float
@@ -244,11 +246,11 @@ class Result(Answer):
         options: Options = None,
         context: Optional[Context] = None,
     ) -> Leak:
-        """How much fluid flows through the gap, with an interval that follows from `duality_gap`; needs want_gap=True.
+        """How much fluid flows through the gap, with an interval that follows from `gap_error`; needs want_gap=True.
 
         load: that the step prescribed: the interval then holds at this load; None: at the returned approach
         sides: as in `roughcontact.flow`; None: as the boundary repeats
-        system: of a result that is not of a `HalfSpace`; options, context: the contact's, for a kernel with options of its own
+        system: of a result that is not of a `HalfSpace`; options, context: the contact's, with load for a kernel with options of its own
         Others as in `roughcontact.flow`.
         """
         wanted = {"viscosity": viscosity, "pressure_drop": pressure_drop, "load": load, "width": width, "memory": memory}

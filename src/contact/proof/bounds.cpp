@@ -71,6 +71,7 @@ class Proof {
       distance_.sum = std::min(distance_.sum, sum_bound.by_distance * distance_.norm);
       if (points_of(support) > 0.9 * before) break;
     }
+    if (const double reach = open_beyond(); reach < infinity) result.gap_error = reach;
     count(result, sets);
     convert(support, result);
     return result;
@@ -164,7 +165,7 @@ class Proof {
     }
   };
 
-  // Points with a larger gap are open, since |(Hx)_i| <= |x|_H sqrt(H_ii).
+  // Gaps are this near to the exact ones, since |(Hx)_i| <= |x|_H sqrt(H_ii): points with a larger gap are open.
   double open_beyond() const { return (distance_.norm * std::sqrt(spectrum_.diagonal) + doubt_) * length_; }
 
   // Points that were given a pressure, or may carry one and are not proven open, without those that were given the hardness and

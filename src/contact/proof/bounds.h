@@ -15,6 +15,7 @@ namespace rc {
 
 struct Bounds {
   double duality_gap = std::numeric_limits<double>::quiet_NaN();  // [force length]
+  double gap_error = duality_gap;                                 // [length]
   double load_lower = duality_gap, load_upper = duality_gap;      // [force]
   double area_lower = duality_gap, area_upper = duality_gap;      // [length^2]
   std::int64_t proven_contacts = -1, proven_open = -1, undecided = -1, proven_capped = -1;

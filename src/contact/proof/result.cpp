@@ -65,6 +65,7 @@ void write(const Numbers& numbers, const System& system, rc_result& result) {
   copy_text(result.kernel, system.kernel.name.c_str());
   copy_text(result.note, numbers.note);
   result.duality_gap = numbers.bounds.duality_gap;
+  result.gap_error = numbers.bounds.gap_error;
   result.load_lower = numbers.bounds.load_lower;
   result.load_upper = numbers.bounds.load_upper;
   result.area_lower = numbers.bounds.area_lower;

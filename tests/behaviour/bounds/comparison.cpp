@@ -35,6 +35,17 @@ void check_points(const Problem& problem, const Answer& answer, const Answer& ex
   }
 }
 
+void check_gaps(const Problem& problem, const Answer& answer, const Answer& exact) {
+  const rc_result& r = answer.result;
+  const double scale = largest(exact.gap) + std::abs(r.approach);
+  for (std::size_t i = 0; std::isfinite(r.gap_error) && i < problem.points(); ++i) {
+    const double error = std::abs(answer.gap[i] - exact.gap[i]);
+    if (problem.included(i))
+      check(error <= r.gap_error + exactness * scale,
+            "the gap of point " + std::to_string(i) + " is off by " + text(error) + ", proven are " + text(r.gap_error));
+  }
+}
+
 }  // namespace
 
 Answer exact_at(const Problem& problem, double approach) {
@@ -64,6 +75,7 @@ void check_proofs(const Problem& problem, const Answer& answer, const Answer& ex
         "area " + text(most) + " is not in " + text(r.area_lower) + " .. " + text(r.area_upper));
   check(r.load_lower <= e.load * (1 + exactness) && e.load * (1 - exactness) <= r.load_upper,
         "load " + text(e.load) + " is not in " + text(r.load_lower) + " .. " + text(r.load_upper));
+  check_gaps(problem, answer, exact);
   if (std::isnan(r.duality_gap)) {
     check(r.load_lower == 0 && std::isinf(r.load_upper) && r.proven_contacts == 0, "bounds without a gap");
   } else {
