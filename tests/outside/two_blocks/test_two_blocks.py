@@ -1,16 +1,18 @@
-"""test_scikit_fem.py INTEGRATION: two blocks in scikit-fem against both blocks and the interface in series. Exit code 77: without scikit-fem."""
+"""test_two_blocks.py INTEGRATION BLOCK: two blocks, each as the module BLOCK makes it, against both blocks and the interface in series.
+Exit code 77: without its finite element library."""
 
+import importlib
 import sys
 
+sys.path.insert(0, sys.argv[1])
 try:
     import numpy as np
-    import skfem  # noqa: F401
     from scipy.optimize import brentq
+
+    block = importlib.import_module(sys.argv[2]).block
 except ImportError as missing:
     print(f"skipped: {missing}")
     sys.exit(77)
-
-sys.path.insert(0, sys.argv[1])
 
 import roughcontact as rc
 from two_blocks import E, HEIGHT, NU, Blocks
@@ -34,7 +36,7 @@ def series(state, moved, along, down):
 def main():
     law = steel()
     slip = law.slip(mu=0.3, nu=NU)
-    blocks, state, moved = Blocks(slip), slip.rest.step(0), 0.0
+    blocks, state, moved = Blocks(slip, block), slip.rest.step(0), 0.0
     for along, down in ((0, 2e-3), (0, 1e-2), (3e-3, 1e-2), (6e-3, 1.2e-2), (-2e-3, 1.2e-2), (1e-3, 1.2e-2), (1e-3, 4e-3), (9e-3, 4e-3)):
         pressure, shear = blocks.move(along, down)
         state, moved = series(state, moved, along, down)

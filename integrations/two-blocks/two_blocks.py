@@ -1,35 +1,36 @@
-"""Two elastic blocks with a rough interface under friction, in scikit-fem: Newton's method with the tangent of the contact law.
+"""Two elastic blocks with a rough interface under friction, with any finite element library: Newton's method with the tangent of the contact law.
 
 Units are mm, N and MPa; both blocks repeat along x."""
 
 import numpy as np
-import roughcontact as rc
 import scipy.sparse as sparse
 from scipy.sparse.linalg import spsolve
-from skfem import Basis, ElementQuad1, ElementVector, MeshQuad
-from skfem.models.elasticity import lame_parameters, linear_elasticity
 
 E, NU, HEIGHT, WIDTH = 210e3, 0.3, 10.0, 10.0
+CLOSE = 1e-9  # of coordinates
+
+
+def on(coordinate, side):
+    return np.abs(coordinate - side) < CLOSE
 
 
 class Blocks:
     """One on the other; the lower one stands still, the top of the upper one is moved. Contact is between nodes that face each other."""
 
-    def __init__(self, slip, cells=6):
-        mesh = MeshQuad.init_tensor(np.linspace(0, WIDTH, cells + 1), np.linspace(0, HEIGHT, cells + 1))
-        basis = Basis(mesh, ElementVector(ElementQuad1()))
-        stiffness = linear_elasticity(*lame_parameters(E, NU)).assemble(basis)
-        at, nodes = basis.nodal_dofs, np.arange(mesh.nvertices)  # at[component, node]
-        x, y = mesh.p
-        left, right = (nodes[x == side][np.argsort(y[x == side])] for side in (0, WIDTH))
-        same = np.arange(basis.N)
+    def __init__(self, slip, block, cells=6):
+        """block: a function of the number of cells along each side that returns the stiffness matrix of one block, its nodes
+        [2, n], and the degree of freedom of each component at each node [2, n]."""
+        stiffness, (x, y), at = block(cells)
+        nodes, total = np.arange(len(x)), stiffness.shape[0]
+        left, right = (nodes[on(x, side)][np.argsort(y[on(x, side)])] for side in (0, WIDTH))
+        same = np.arange(total)
         same[at[:, right]] = at[:, left]  # periodic
         of = np.unique(same, return_inverse=True)[1]
-        tie = sparse.csr_matrix((np.ones(basis.N), (np.arange(basis.N), of)))
+        tie = sparse.csr_matrix((np.ones(total), (np.arange(total), of)))
         one = tie.T @ stiffness @ tie
         self.size = one.shape[0]
         self.stiffness = sparse.block_diag([one, one], format="csr")
-        inner = [nodes[(y == level) & (x < WIDTH)] for level in (HEIGHT, 0)]  # below and above the interface
+        inner = [nodes[on(y, level) & ~on(x, WIDTH)] for level in (HEIGHT, 0)]  # below and above the interface
         order = [each[np.argsort(x[each])] for each in inner]
         self.below, self.above = of[at[:, order[0]]], of[at[:, order[1]]] + self.size
         self.bottom, self.top = of[at[:, order[1]]], of[at[:, order[0]]] + self.size
