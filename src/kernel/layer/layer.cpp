@@ -17,6 +17,10 @@ namespace {
 
 constexpr roughcontact::Component own{"layer", "use fewer points"};
 
+// Coefficients are differences of what the layer's material and the remainder deflect: beyond these limits digits are lost.
+constexpr double thinnest = 1e-9, thinnest_on_rigid = 1e-4, thickest = 1e9;  // in cells
+constexpr double most_unlike = 1e6;                                          // ratio of the moduli
+
 Layer layer_of(const rc_host* host, const rc_kernel_spec& spec) {
   const auto number = [&](const char* key) { return roughcontact::option_real(host, spec.options, key); };
   const auto is = [&](const char* key, std::string_view choice) {
@@ -33,6 +37,13 @@ Layer layer_of(const rc_host* host, const rc_kernel_spec& spec) {
   layer.base_poisson = number("layer.substrate_poisson");
   layer.rigid_base = is("layer.base", "rigid");
   layer.bonded = is("layer.interface", "bonded");
+  const double least = layer.rigid_base ? thinnest_on_rigid : thinnest;
+  if (!(layer.thickness >= least && layer.thickness <= thickest))
+    roughcontact::fail(own, RC_ERR_ARGUMENT, "layer.thickness = ", thickness, " is ", layer.thickness, " cells, must be ", least,
+                       " .. ", thickest);
+  if (!(layer.modulus >= 1 / most_unlike && layer.modulus <= most_unlike))
+    roughcontact::fail(own, RC_ERR_ARGUMENT, "layer.modulus = ", modulus, " is ", layer.modulus,
+                       " times the modulus of the system, must be ", 1 / most_unlike, " .. ", most_unlike);
   return layer;
 }
 

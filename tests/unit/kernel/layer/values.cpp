@@ -169,8 +169,7 @@ void thin_and_thick_layers_are_half_spaces(void**) {
 // section 5.8: delta = p t (1 - 2 nu) / (1 - nu)^2 (1 - nu^2) / E.
 void a_layer_on_a_rigid_base_is_a_bed_of_springs(void**) {
   for (const double nu : {0.0, 0.2, 0.3, 0.4}) {
-    const double modulus = 1e-7, q = 1e-2;
-    assert_near(Kernel({1, modulus, nu}).wave(q), (1 - 2 * nu) / (1 - nu) / (1 - nu) / modulus, 1e-3, "spring");
+    assert_near(Kernel({1, 1, nu, 0.3, "rigid"}).wave(1e-2), (1 - 2 * nu) / (1 - nu) / (1 - nu), 1e-3, "spring");
   }
 }
 
@@ -279,7 +278,21 @@ void coefficients_are_those_of_the_reference(void**) {
   assert_true(rows >= 100);
 }
 
-void a_layer_needs_a_thickness(void**) { assert_int_equal(Kernel({0, 1}).window_status(), RC_ERR_ARGUMENT); }
+void what_loses_digits_is_refused(void**) {
+  for (const Layer& each :
+       {Layer{0, 1}, Layer{1e-10, 1}, Layer{1e10, 1}, Layer{1e-5, 1, 0.3, 0.3, "rigid"}, Layer{1, 1e-7}, Layer{1, 2e6}})
+    assert_int_equal(Kernel(each).window_status(), RC_ERR_ARGUMENT);
+}
+
+// Next to the limits: positive on the diagonal and no larger elsewhere.
+void coefficients_near_the_limits_are_sound(void**) {
+  for (const Layer& each : {Layer{1e-9, 1e-6}, Layer{1e-9, 1e6}, Layer{1e9, 1e-6}, Layer{1, 1e6}, Layer{1, 1e-6, 0.5},
+                            Layer{1e-4, 1, 0.5, 0.3, "rigid"}, Layer{1e-4, 1, 0, 0.3, "rigid", "frictionless"}}) {
+    const std::vector<double> values = Kernel(each, 1, 0.1).window(0, 0, 20, 20);
+    assert_true(values[0] > 0);
+    for (const double value : values) assert_true(std::abs(value) <= values[0]);
+  }
+}
 
 }  // namespace
 
@@ -299,7 +312,8 @@ const std::vector<CMUnitTest> value_tests = {
     cmocka_unit_test(windows_agree),
     cmocka_unit_test(what_it_promises_holds),
     cmocka_unit_test(coefficients_are_those_of_the_reference),
-    cmocka_unit_test(a_layer_needs_a_thickness),
+    cmocka_unit_test(what_loses_digits_is_refused),
+    cmocka_unit_test(coefficients_near_the_limits_are_sound),
 };
 
 }  // namespace layer
