@@ -118,25 +118,9 @@ for picture in "$out"/{contact-*,history}.png; do
   [ ! -e "$picture" ] || echo "picture: $picture"
 done
 
-# loads: those that were found for --area, as a list.
-loads() {
-  awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i ~ /^load /) at = i } NR > 1 { printf "%s%s", (NR > 2 ? "," : ""), $at }' "$out/steps.csv"
-}
-
-# The page takes the options that say what is pressed and how; those of the folder are the command's alone.
 if [ $page = yes ]; then
-  told=()
-  for ((i = 0; i < ${#options[@]}; ++i)); do
-    case ${options[i]} in
-      --out) i=$((i + 1)) ;;
-      --out=* | --resume | --quiet | --explain | --no-maps) ;;
-      --area) i=$((i + 1)); told+=(--load "$(loads)") ;;
-      --area=*) told+=(--load "$(loads)") ;;
-      *) told+=("${options[i]}") ;;
-    esac
-  done
   PYTHONPATH=$root/bindings/python ROUGHCONTACT_LIBRARY=$build/lib/libroughcontact.so \
-    python3 -m roughcontact report "$surface" "${told[@]}" --out "$out/report.html" >/dev/null || [ $? = 2 ] || exit 1
+    python3 -m roughcontact report "$out" --out "$out/report.html" >/dev/null || [ $? = 2 ] || exit 1
   echo "page: $out/report.html"
 else
   echo "For an HTML report: the same with --page"

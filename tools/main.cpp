@@ -14,6 +14,7 @@
 #include "list_commands.h"
 #include "platform/libraries.h"
 #include "platform/terminal.h"
+#include "report_command.h"
 #include "solve/interrupt.h"
 #include "solve/solve_command.h"
 #include "text.h"
@@ -58,13 +59,15 @@ int run(const std::vector<std::string>& words) {
   }
   if (parsed.commands.empty()) {
     cli::report(
-        "no command given, give solve, generate, analyze, law, backends, solvers, kernels, options or formats; see roughcontact "
+        "no command given, give solve, report, generate, analyze, law, backends, solvers, kernels, options or formats; see "
+        "roughcontact "
         "--help");
     return cli::exit_error;
   }
 
   const std::string& name = parsed.commands.front();
   if (name == "solve") return cli::run_solve(line.solve);
+  if (name == "report") return cli::run_report({words.begin() + 1, words.end()});
   if (name == "law") return cli::run_law(line.law);
   if (name == "generate") cli::generate(parsed.commands.back(), line.generate);
   if (name == "analyze") cli::analyze(line.analyze);

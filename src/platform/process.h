@@ -20,4 +20,8 @@ struct Ended {
 Ended run(const std::string& program, const std::vector<std::string>& arguments, std::FILE* input, std::FILE* output,
           std::FILE* errors);
 
+// Runs a program found as a shell finds it in the place of this one, and returns only if it cannot. Where a system has no such
+// call, it runs beside this one, with its streams, to its end.
+Ended become(const std::string& program, const std::vector<std::string>& arguments);
+
 }  // namespace rc_platform

@@ -30,11 +30,29 @@ Command solve_command(SolveArguments& arguments) {
       "Output",
       {{"--out", &arguments.out, "DIR", "Folder for summary.json, steps.csv, pressure-K.npy, gap-K.npy, contact-K.png"},
        {"--no-maps", &arguments.no_maps, "", "Only summary.json, steps.csv and history.png: no arrays, no pictures of steps"},
+       {"--no-pictures", &arguments.no_pictures, "", "No contact-K.png and history.png, which gnuplot draws"},
        {"--write", &arguments.write, "FORMATS", "Also write each step in these formats: vti, netcdf, hdf5"}});
   add_resume(solve, arguments);
   solve.add("Output", {{"--explain", &arguments.explain, "", "Print why auto chose its solver and backend"}});
   add_quiet(solve, arguments);
   return solve;
+}
+
+constexpr const char* report_help = R"(
+SURFACE is a file of heights, which is solved with the words of solve (a single target becomes the last of ten steps), or the folder
+that solve --out has written. The page has the steps, curves, maps, proven intervals and what was assumed. It is made by Python with
+Jinja2 and Plotly (pip install 'roughcontact[report]').
+
+Exit code: as of solve.
+)";
+
+Command report_command(CommandLine& line) {
+  Command report{"report", "Write a page on a surface under load", report_help};
+  add_words(report, line.report.words, RC_CALL_HISTORY);
+  add_set(report, line.report);
+  report.add("Output", {{"--out", &line.report.out, "PAGE", "The page to write (default report.html)"},
+                        {"--law", &line.reported_law, "FILE", "Show this contact law of the surface, see roughcontact law"}});
+  return report;
 }
 
 constexpr const char* generate_help = R"(
@@ -107,6 +125,7 @@ Command whole_command(CommandLine& line) {
   return {.name = "roughcontact",
           .help = "Normal contact of rough surfaces on an elastic half-space, every answer certified",
           .commands = {solve_command(line.solve),
+                       report_command(line),
                        generate_command(line.generate),
                        analyze_command(line.analyze),
                        law_command(line.law),

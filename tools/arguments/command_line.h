@@ -10,7 +10,8 @@
 namespace cli {
 
 struct CommandLine {
-  SolveArguments solve;
+  SolveArguments solve, report;
+  std::optional<std::string> reported_law;
   GenerateArguments generate;
   AnalyzeArguments analyze;
   LawArguments law;

@@ -45,7 +45,8 @@ std::optional<EarlierRun> read_earlier_run(const std::string& text) {
     const std::string_view room = take_part(rest);
     if (room == "input" && rest.starts_with("/targets/")) {
       run.targets.push_back(number_in(entry.value, 0));
-    } else if (room == "input" && rest != "/file" && rest != "/against" && rest != "/assumed") {
+    } else if (room == "input" && rest != "/file" && rest != "/against" && !rest.starts_with("/assumed/") &&
+               !rest.starts_with("/words/")) {
       run.input.push_back(entry);
     } else if (room == "steps" && !rest.empty()) {
       const std::string_view step = take_part(rest);

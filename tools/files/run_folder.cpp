@@ -25,7 +25,9 @@ constexpr const char* summary_name = "summary.json";
 constexpr const char* table_name = "steps.csv";
 
 // Whether a file of this name is of the whole history.
-bool of_all_steps(std::string_view name) { return name == summary_name || name == history_name || name == table_name; }
+bool of_all_steps(std::string_view name) {
+  return name == summary_name || name == history_name || name == table_name || name == heights_name;
+}
 
 // The name of a step's file in its parts: "pressure-03.npy".
 struct StepName {
@@ -67,6 +69,7 @@ RunFolder::~RunFolder() {
     if (!told || told->steps.size() >= unfinished_) return;
     remove_steps(unfinished_, unfinished_);
     if (!told->steps.empty()) return;
+    folder_.remove(heights_name);
     folder_.remove(table_name);
     folder_.remove(summary_name);
   } catch (...) {
@@ -141,6 +144,7 @@ void RunFolder::begin() {
   write_output(folder_.path(summary_name), summary_.text(own > kept ? own : 0));
   if (own > 0) folder_.remove(history_name);
   if (own > 0) folder_.remove(table_name);
+  if (own > 0 && kept == 0) folder_.remove(heights_name);
   remove_steps(kept + 1, own);
 }
 

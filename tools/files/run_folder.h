@@ -17,6 +17,7 @@
 namespace cli {
 
 inline constexpr const char* history_name = "history.png";
+inline constexpr const char* heights_name = "heights.npy";
 
 // "pressure-3.npy", "pressure-03.npy" of a history of ten steps and more: the names sort as the steps do.
 std::string step_name(const char* stem, std::size_t number, const char* extension, std::size_t steps);

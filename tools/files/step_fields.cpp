@@ -95,7 +95,7 @@ std::vector<JsonEntry> step_fields(const StepRecord& step, const Problem& proble
       {"error_estimate", step.accuracy.error_estimate},
       {"left_out", step.accuracy.left_out},
       {"area_estimate", step.accuracy.area_estimate},
-      {"note", r.note},
+      {"note", remarks(problem, r)},
       {"message", step.message}};
   if (step.leak) {
     const rc_flow_result& leak = *step.leak;

@@ -38,13 +38,23 @@ std::string checksum_of(const Problem& problem) {
   return sum.text();
 }
 
+// As pressed, NaN where a point is excluded.
+std::vector<double> heights_of(const Problem& problem) {
+  const auto& [surface, mask] = std::pair(problem.input.surface.heights, problem.input.mask);
+  std::vector<double> heights(surface.begin(), surface.end());
+  for (std::size_t i = 0; mask && i < heights.size(); ++i)
+    if (mask[i] == 0) heights[i] = std::numeric_limits<double>::quiet_NaN();
+  return heights;
+}
+
 }  // namespace
 
 StepFiles::StepFiles(const std::string& folder, const Problem& problem, Choice choice)
     : run_(folder, problem, checksum_of(problem), choice.resume),
       problem_(problem),
       maps_(choice.maps),
-      writers_(std::move(choice.writers)) {
+      writers_(std::move(choice.writers)),
+      can_draw_(choice.pictures) {
   for (const EarlierStep& step : run_.finished()) history_.push_back(history_point(step));
 }
 
@@ -75,12 +85,15 @@ void StepFiles::write_maps(const StepRecord& step, const Fields& fields, const s
   const auto name = [&](const char* stem, const char* extension) {
     return run_.step_name(stem, static_cast<std::size_t>(step.number), extension);
   };
-  const auto array = [&](const char* stem, const std::vector<double>& field) {
-    run_.files().write(name(stem, "npy"), [&](std::FILE* file) {
+  const auto array_file = [&](const std::string& file_name, const std::vector<double>& field) {
+    run_.files().write(file_name, [&](std::FILE* file) {
       write_npy(file, field, problem_.system.nx, problem_.system.ny);
       return true;
     });
   };
+  const auto array = [&](const char* stem, const std::vector<double>& field) { array_file(name(stem, "npy"), field); };
+  if (!heights_written_) array_file(heights_name, heights_of(problem_));
+  heights_written_ = true;
   // The picture is drawn while the arrays are written.
   std::future<std::string> drawn;
   if (can_draw_)

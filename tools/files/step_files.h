@@ -21,6 +21,7 @@ class StepFiles {
   struct Choice {
     bool resume = false;  // continue after the steps that an earlier run of the same problem has finished, if there was one
     bool maps = true;     // write the fields and the picture of each step
+    bool pictures = true;
     StepWriters writers;  // of more files of each step
   };
 
@@ -47,7 +48,7 @@ class StepFiles {
   const Problem& problem_;
   bool maps_;
   StepWriters writers_;
-  bool can_draw_ = true;
+  bool can_draw_, heights_written_ = false;
   std::vector<HistoryPoint> history_;
 };
 

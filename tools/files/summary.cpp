@@ -52,7 +52,6 @@ Summary::Summary(const Problem& problem, const std::string& checksum) {
                  {"removed", problem.input.removed},
                  {"missing", problem.input.missing},
                  {"missing_rule", problem.input.missing_rule},
-                 {"assumed", problem.input.assumed},
                  {"checksum", checksum},
                  {"modulus", system.modulus},
                  {"boundary", name_of_boundary(system.boundary)},
@@ -65,6 +64,10 @@ Summary::Summary(const Problem& problem, const std::string& checksum) {
                    {"pressure_drop", problem.view.pressure_drop},
                    {"leak_along", problem.view.along == 1 ? "x" : "y"}});
   if (!problem.input.shape.empty()) document_.add("shape", problem.input.shape);
+  document_.add("assumed", problem.input.assumed);
+  document_.begin("words");
+  for (const auto& [word, text] : problem.input.words) document_.add(word.c_str(), text);
+  document_.end();
   document_.add("targets", problem.targets);
   document_.begin("options");
   for (auto option = problem.options.begin(); option != problem.options.end(); ++option) {

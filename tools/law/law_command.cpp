@@ -200,7 +200,7 @@ PatchLaw make_law(const LawArguments& arguments) {
   for (const std::string& note : problem.input.notes) report(note);
   law.asked_conductance = spec.tolerance_conductance;
   context.report_log();
-  law.assumed = problem.input.assumed;
+  law.assumed = problem.input.assumptions();
   law.source = rc_platform::path_of(problem.input.file).filename().string() +
                format(", %lld x %lld points, pitch ", static_cast<long long>(problem.system.nx),
                       static_cast<long long>(problem.system.ny)) +

@@ -21,7 +21,7 @@ struct SolveArguments {
   std::vector<std::string> set;  // key=value
   std::optional<std::string> out, write;
   bool resume = false;
-  bool no_maps = false;
+  bool no_maps = false, no_pictures = false;
   bool explain = false;
   bool quiet = false;
 };

@@ -59,7 +59,8 @@ void report_uncertified(const Problem& problem, const StepRecord& step) {
 void check_output(const SolveArguments& arguments) {
   const std::pair<bool, const char*> uses[] = {{arguments.resume, "--resume needs --out, the folder of the interrupted run"},
                                                {arguments.write.has_value(), "--write needs --out, the folder for its files"},
-                                               {arguments.no_maps, "--no-maps needs --out, the folder that it keeps small"}};
+                                               {arguments.no_maps, "--no-maps needs --out, the folder that it keeps small"},
+                                               {arguments.no_pictures, "--no-pictures needs --out, the folder for all else"}};
   for (const auto& [used, what] : uses) {
     if (used && !arguments.out) throw Error(what);
   }
@@ -92,7 +93,8 @@ ExitCode run_solve(const SolveArguments& arguments) {
   const Interrupt interrupt{contact.get()};
   std::optional<StepFiles> files;
   if (arguments.out)
-    files.emplace(*arguments.out, problem, StepFiles::Choice{arguments.resume, !arguments.no_maps, std::move(writers)});
+    files.emplace(*arguments.out, problem,
+                  StepFiles::Choice{arguments.resume, !arguments.no_maps, !arguments.no_pictures, std::move(writers)});
   const int finished = files ? files->finished() : 0;
   StepSolver solver{contact.get(), problem};
   if (finished > 0) {

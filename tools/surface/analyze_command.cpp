@@ -164,7 +164,7 @@ std::string document(const Analysis& a) {
                    {"removed", a.input.removed},
                    {"missing", a.input.missing},
                    {"missing_rule", a.input.missing_rule},
-                   {"assumed", a.input.assumed},
+                   {"assumed", a.input.assumptions()},
                    {"periodic", a.periodic}});
   object("statistics", {{"rms_height", s.rms_height},
                         {"skewness", s.skewness},

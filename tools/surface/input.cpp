@@ -47,11 +47,19 @@ std::string SurfaceInput::preparation() const {
   return text;
 }
 
+std::string SurfaceInput::assumptions() const {
+  std::string text;
+  for (const std::string& each : assumed) text += (text.empty() ? "" : "; ") + each;
+  return text;
+}
+
 SurfaceInput input_of(const GivenWords& words, Request request) {
   SurfaceInput input;
   const rc_problem_view view = problem_of(request);
   const rc_system& system = view.system;
   input.file = words.surface;
+  for (std::size_t k = 0; k < words.texts.size(); ++k)
+    if (words.texts[k]) input.words.emplace_back(all_words()[k].name, *words.texts[k]);
   input.format = view.format;
   input.against = words["against"].value_or("");
   input.shape = words["shape"].value_or("");
@@ -66,7 +74,7 @@ SurfaceInput input_of(const GivenWords& words, Request request) {
     rc_remark remark = RC_REMARK_INIT;
     if (rc_request_remark(request.get(), k, &remark) != RC_OK) throw Error(rc_request_last_error());
     const std::string text = remark.text;
-    if (remark.severity != RC_DOUBTFUL) input.assumed += (input.assumed.empty() ? "" : "; ") + text;
+    input.assumed.push_back(text);
     const bool seen = remark.code == RC_REMARK_MISSING || remark.code == RC_REMARK_PITCH || remark.code == RC_REMARK_ENDS;
     if (seen && remark.severity == RC_FACT) continue;  // in the first line
     input.notes.push_back((remark.severity == RC_DOUBTFUL ? "remark: " : "note: ") + text);

@@ -29,6 +29,7 @@ struct Pressed {
 
 struct SurfaceInput {
   Request request;
+  std::vector<std::pair<std::string, std::string>> words;  // as given
   std::string file, format;
   Pressed surface;
   std::string against;                 // file of the other body's heights, which were added; "" if it is flat
@@ -37,12 +38,13 @@ struct SurfaceInput {
   std::int64_t missing = 0;            // points
   std::string missing_rule;            // what was done with them: "reject" (there are none), "fill" or "exclude"
   const std::uint8_t* mask = nullptr;  // 0: excluded; null if no point is
-  std::string assumed;                 // what was assumed of the words and files, and read from headers; "" if nothing
+  std::vector<std::string> assumed;    // what was assumed of the words and files, is doubtful, or was read from headers
   std::vector<std::string> notes;      // what the user should know about the choices made
 
   // ", against other.gsf, plane removed, 12 missing points filled": what was done to the heights, for a line of text; "" if
   // nothing.
   std::string preparation() const;
+  std::string assumptions() const;  // in one text
 };
 
 // A struct of the surface library with the grid of a surface.

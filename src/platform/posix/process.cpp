@@ -42,4 +42,12 @@ Ended run(const std::string& program, const std::vector<std::string>& arguments,
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, false, ""};
 }
 
+Ended become(const std::string& program, const std::vector<std::string>& arguments) {
+  std::vector<char*> words{const_cast<char*>(program.c_str())};
+  for (const std::string& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
+  words.push_back(nullptr);
+  execvp(program.c_str(), words.data());
+  return {-1, errno == ENOENT, std::strerror(errno)};
+}
+
 }  // namespace rc_platform

@@ -49,4 +49,8 @@ Ended run(const std::string& program, const std::vector<std::string>& arguments,
   return ended ? Ended{static_cast<int>(code), false, ""} : Ended{-1, false, error_text(GetLastError())};
 }
 
+Ended become(const std::string& program, const std::vector<std::string>& arguments) {
+  return run(program, arguments, stdin, stdout, stderr);
+}
+
 }  // namespace rc_platform

@@ -101,7 +101,7 @@ def test_command_report_and_package_make_the_same_remark(tmp_path):
     """On the largest pressure, without a hardness: from one table."""
     from roughcontact.report import wording
     from roughcontact.report.content import collect
-    from roughcontact.report.request import read_request
+    from roughcontact.report.run import run_of
 
     surface = rc.surface.spectral((48, 48), pitch=1e-6, rms_height=3e-6, hurst=0.8, seed=3)
     np.save(tmp_path / "map.npy", surface.heights)
@@ -110,7 +110,8 @@ def test_command_report_and_package_make_the_same_remark(tmp_path):
         words = ["map.npy", "--pitch", "1um", "--boundary", "periodic", "--modulus", str(modulus), "--pressure", str(pressure)]
         last = ran("-m", "roughcontact", "solve", *words, cwd=tmp_path).stdout.splitlines()[-1]
         remark = last.partition("; warning: ")[2]
-        told = wording.conclusion(collect(read_request([str(tmp_path / "map.npy"), *words[1:]])))
+        with run_of([str(tmp_path / "map.npy"), *words[1:]]) as (folder, _):
+            told = wording.conclusion(collect(folder))
         assert told.rstrip(".").partition(" Warning: ")[2] == remark
         result = rc.solve(tmp_path / "map.npy", pitch=1e-6, boundary="periodic", modulus=modulus, pressure=pressure)
         assert remark.replace("--hardness", "hardness=") in result.remarks and ("largest pressure" in result.remarks) == bool(
@@ -118,3 +119,19 @@ def test_command_report_and_package_make_the_same_remark(tmp_path):
         )
         seen.add(" ".join(remark.split()[:6]))
     assert len(seen) >= 3, seen
+
+
+def test_the_command_starts_the_report(tmp_path):
+    """With the Python that a shell finds; it says what is missing."""
+    command = _command.program()
+    (tmp_path / "bin").mkdir()
+    (tmp_path / "bin" / "python3").write_text(f'#!/bin/sh\nexec "{sys.executable}" "$@"\n')
+    (tmp_path / "bin" / "python3").chmod(0o755)
+    for path, words, says in (
+        ("bin", [str(tmp_path)], ("no summary.json", "not installed, which a page is made with")),
+        ("bin", [str(tmp_path), "--lod", "1"], ('no option "--lod"; did you mean "--load"?',)),
+        ("none", [str(tmp_path)], ("report needs Python 3",)),
+    ):
+        place = {**os.environ, "PATH": str(tmp_path / path), "PYTHONPATH": str(pathlib.Path(rc.__file__).parents[1])}
+        done = subprocess.run([command, "report", *words], env=place, capture_output=True, text=True)
+        assert done.returncode == 1 and any(text in done.stderr for text in says), done.stderr

@@ -5,19 +5,21 @@ import datetime
 import math
 import pathlib
 import re
+import subprocess
 
 import numpy as np
 import pytest
 
 import roughcontact as rc
-from conftest import refused
+from roughcontact._command import program
 from roughcontact.report import command, page, wording
 from roughcontact._blocks import largest, means, side_of_blocks
 from roughcontact.report.content import collect
 from roughcontact.report.quantities import with_prefix
-from roughcontact.report.request import CURVE_POINTS, press, read_request
+from roughcontact.report.run import CURVE_POINTS, run_of, with_curve
 
 STEEL = ["--E", "210GPa", "--nu", "0.3"]
+pytestmark = pytest.mark.skipif(program() is None, reason="the command, which solves for a report, is not beside the package")
 
 
 @pytest.fixture
@@ -26,65 +28,84 @@ def file(tmp_path, rough):
     return str(tmp_path / "rough.npy")
 
 
+def of(words):
+    with run_of(words) as (folder, curve):
+        return collect(folder, curve)
+
+
 def collected(file, *arguments):
-    return collect(read_request([file, "--unit", "um", "--pitch", "1", *STEEL, "--boundary", "periodic", *arguments]))
+    return of([file, "--unit", "um", "--pitch", "1", *STEEL, "--boundary", "periodic", *arguments])
 
 
-def test_a_request(file):
+def test_one_target_becomes_the_last_of_a_curve(file):
+    content = collected(file, "--load", "1mN")
+    loads = [step.load for step in content.steps]
+    assert content.curve and len(loads) == CURVE_POINTS
+    assert (loads[-1], loads[0]) == pytest.approx((1e-3, 1e-5), rel=1e-6)
+    assert with_curve(["--area", "10%"]) == (["--area", "0.1%..10%:10log"], True)
+    assert with_curve(["--pressure=2e-3"]) == (["--pressure", "2e-05..2e-3:10log"], True)
+    for several in ("1,2", "1..2:3", "1MPa:2MPa:3", "0", "much"):
+        assert with_curve(["--load", several]) == (["--load", several], False)
+
+
+def test_the_folder_of_solve_is_read(file, tmp_path):
+    words = ["solve", file, "--unit", "um", "--pitch", "1", *STEEL, "--pressure", "20MPa", "--quiet", "--set", "max_iter=900"]
+    folder = tmp_path / "run"
+    subprocess.run([program(), *words, "--out", str(folder)], check=True)
+    content = of([str(folder)])
+    assert len(content.steps) == 1 and not content.curve and content.steps[0].mean_pressure == pytest.approx(20e6)
     assert (
-        with_prefix(39e-9, "m") == "39 nm" and with_prefix(0.99996e3, "N") == "1 kN" and with_prefix(math.nan, "N") == "unknown"
+        content.command
+        == f"roughcontact solve {file} --pitch 1 --unit um --E 210GPa --nu 0.3 --pressure 20MPa --set=max_iter=900"
     )
-    request = read_request([file, *STEEL, "--E2", "70GPa", "--nu2", "0.33", "--load", "1mN", "--pitch", "1um", "--unit", "um"])
-    press(request)
-    assert request.modulus == pytest.approx(1 / ((1 - 0.09) / 210e9 + (1 - 0.33**2) / 70e9))
-    assert request.problem.system.pitch == pytest.approx((1e-6, 1e-6)) and request.control == "load" and request.curve
-    assert len(request.targets) == CURVE_POINTS and request.targets[-1] == 1e-3 and request.targets[0] == pytest.approx(1e-5)
-    assert request.command.endswith("--load 1mN --pitch 1um --unit um")
-    several = read_request([file, "--pitch", "1um", "--unit", "um", "--modulus", "1GPa", "--load", "1,2"])
-    press(several)
-    assert not several.curve
+    subprocess.run([program(), *words, "--out", str(tmp_path / "bare"), "--no-maps"], check=True)
+    for place, says in ((tmp_path / "bare", "has no heights.npy"), (tmp_path, "has no summary.json")):
+        with pytest.raises(rc.ArgumentError, match=says):
+            of([str(place)])
 
 
-def test_one_clear_line_and_status_1(file, tmp_path, capsys, monkeypatch):
+def test_one_clear_line_and_status_1(file, tmp_path, capfd, monkeypatch):
     good = [file, "--pitch", "1um", "--unit", "um", *STEEL, "--load", "1mN", "--out", str(tmp_path / "page.html")]
     for arguments, words in (
-        (["report"], "required: FILE"),
+        (["report"], "give the folder"),
         (["rapport"], "is no command"),
         (["report", file, "--load", "1"], "the elastic modulus is missing"),
-        (["report", file, *STEEL], "what to press with is missing"),
         (["report", *good, "--pressure", "1"], "only one of"),
-        (["report", *good, "--modulus", "1"], "not both"),
-        (["report", *good, "--hardnes", "1"], "did you mean '--hardness'?"),
-        (["report", *good, "--plot", "1"], "'--plot' is not expected; see --help"),
-        (["report", *good, "--load=2mN"], "--load is given twice, give several steps as a,b,c"),
-        (["report", *good, "--threads", "1.5"], "whole number"),
-        (["report", *good, "--tol", "small"], "is not a number"),
-        (["report", *good, "--remove", "plain"], "is not known"),
+        (["report", *good, "--hardnes", "1"], "did you mean"),
         (["report", "absent.x3p", *STEEL, "--load", "1"], "No such file"),
-        (["report", file, *STEEL, "--unit", "um", "--load", "1"], "does not say its pitch"),
         (["report", *good[:-1], str(tmp_path / "none" / "page.html")], "does not exist"),
         (["report", *good[:-1], str(tmp_path)], "is a folder"),
-        (["report", *good, "--tol", "-1"], "tol"),
+        (["report", *good[:-1], file], "is the surface's file"),
         (["report", *good, "--law", file], "does not begin with"),
     ):
         monkeypatch.setattr(page, "NEEDED", ("numpy",))
         assert command.main(arguments) == 1, arguments
-        told = capsys.readouterr()
-        assert told.out == "" and told.err.count("\n") == 1 and words in told.err, (arguments, told.err)
+        told = capfd.readouterr()
+        assert told.out == "" and words in told.err.splitlines()[-1], (arguments, told.err)
     monkeypatch.setattr(page, "NEEDED", ("numpy", "no_such_package"))
     assert command.main(["report", *good]) == 1
     assert (
-        "no_such_package not installed, which a page is made with: pip install 'roughcontact[report]'"
-        in capsys.readouterr().err
+        "no_such_package not installed, which a page is made with: pip install 'roughcontact[report]'" in capfd.readouterr().err
     )
     assert not (tmp_path / "page.html").exists()
+
+
+def test_the_smooth_answer_and_the_leak_are_told(file):
+    shaped = of([file, "--unit", "um", "--pitch", "1", *STEEL, "--shape", "sphere:R=1mm", "--load", "1N"])
+    radius = (3 * 1e-3 / (4 * shaped.modulus)) ** (1 / 3)
+    assert f"Without roughness (Hertz): contact {with_prefix(2 * radius, 'm')} wide" in wording.conclusion(shaped)
+    assert shaped.persson is None and "Boundary free, as the shape ends somewhere." in wording.assumptions(shaped)
+    words = ["solve", file, "--unit", "um", "--pitch", "1", *STEEL, "--load", "1mN", "--leak", "viscosity=1mPas,drop=1bar"]
+    if "built without" not in subprocess.run([program(), *words, "--quiet"], stderr=subprocess.PIPE, text=True).stderr:
+        leaking = collected(file, "--load", "1mN", *words[-2:])
+        assert re.search(r" Leak \d\.\d·10⁻[⁰¹²³⁴⁵⁶⁷⁸⁹]+ m³/s \(", wording.conclusion(leaking)), wording.conclusion(leaking)
 
 
 def test_the_numbers_are_those_of_solve(file, rough):
     content = collected(file, "--pressure", "20MPa,100MPa", "--tol", "1e-8")
     assert len(content.steps) == 2 and content.certified and content.surface.periodic
     for step, target in zip(content.steps, (20e6, 100e6)):
-        result = rc.solve(rough, modulus=content.request.modulus, pressure=target, tol=1e-8, want_gap=True, stiffness=1)
+        result = rc.solve(rough, modulus=content.modulus, pressure=target, tol=1e-8, want_gap=True, stiffness=1)
         assert step.load == pytest.approx(result.load) and step.area_fraction == pytest.approx(
             result.contacts / result.points, abs=1e-3
         )
@@ -95,9 +116,7 @@ def test_the_numbers_are_those_of_solve(file, rough):
         assert content.corrected(step) == pytest.approx(result.corrected_area / content.nominal_area, rel=1e-3)
     assert step.patches == len(content.patches) and content.histogram.contacts == step.contacts
     assert content.persson == pytest.approx(rc.surface.analyze(rough).rms_slope)
-    assert content.persson_area(step.load) == pytest.approx(
-        math.erf(math.sqrt(2) * 100e6 / content.request.modulus / content.persson)
-    )
+    assert content.persson_area(step.load) == pytest.approx(math.erf(math.sqrt(2) * 100e6 / content.modulus / content.persson))
     assert content.maps.side == 1 and np.array_equal(content.maps.pressure > 0, content.maps.contact > 0)
     assert (
         content.bearing[1][0] == pytest.approx(rough.heights.max() - rough.heights.mean())
@@ -123,11 +142,7 @@ def test_words(file):
     assert all(len(row) == len(wording.STEP_HEAD) for row in wording.step_rows(content))
     assert all(len(row) == len(wording.PROOF_HEAD) for row in wording.proof_rows(content))
     assert dict(wording.surface_rows(content))["rms height"] == "100 nm"
-    soft = collect(
-        read_request(
-            [file, "--unit", "um", "--pitch", "0.1", "--modulus", "3GPa", "--pressure", "1GPa", "--boundary", "periodic"]
-        )
-    )
+    soft = of([file, "--unit", "um", "--pitch", "0.1", "--modulus", "3GPa", "--pressure", "1GPa", "--boundary", "periodic"])
     assert "E*, linear elasticity does not hold there" in wording.conclusion(soft)
     assert wording.conclusion(collected(file, "--pressure", "5GPa", "--hardness", "1TPa")).endswith(
         "below the hardness of 1 TPa."
@@ -170,7 +185,7 @@ def test_theory_only_where_it_holds(file):
     assert collected(file, "--pressure", "20MPa").persson
     assert collected(file, "--pressure", "20MPa", "--hardness", "8GPa").persson is None
     free = [file, "--pitch", "1um", "--unit", "um", *STEEL, "--boundary", "free", "--pressure", "20MPa"]
-    assert collect(read_request(free)).persson is None
+    assert of(free).persson is None
 
 
 def test_the_page_follows_the_dark():
@@ -195,10 +210,10 @@ def test_a_goal_for_the_accuracy(tmp_path):
         "periodic",
         "--pressure",
         "50MPa,100MPa",
-        "--accuracy",
-        "0.2",
+        "--set",
+        "accuracy=0.2",
     ]
-    content = collect(read_request(goal))
+    content = of(goal)
     assert content.certified and [step.status for step in content.steps] == 2 * [rc.Status.WITHIN_GOAL]
     assert "2 were solved on a coarser grid" in wording.certificate(content)
     assert "Contact area" in wording.conclusion(content) and "Not certified" not in wording.conclusion(content)
@@ -210,11 +225,14 @@ def test_missing_points_and_a_plane(tmp_path, rough):
     z[3, 4] = np.nan
     np.save(tmp_path / "z.npy", z)
     file = [str(tmp_path / "z.npy"), "--pitch", "1um", *STEEL, "--pressure", "20MPa,50MPa"]
-    refused(rc.ArgumentError, "1 missing value of 3072, .*give --missing fill", collect, read_request(file))
-    tilted = collect(read_request([*file, "--missing", "fill"]))
+    tilted = of([*file, "--missing", "fill"])
     assert any("level them with --remove plane" in doubt for doubt in wording.doubts(tilted))
-    level = collect(read_request([*file, "--missing", "exclude", "--remove", "plane"]))
-    assert not any("plane" in doubt for doubt in wording.doubts(level)) and level.missing == 1 and level.statistics is None
+    level = of([*file, "--missing", "exclude", "--remove", "plane"])
+    assert (
+        not any("plane" in doubt for doubt in wording.doubts(level))
+        and level.input["missing"] == 1
+        and level.statistics is None
+    )
     assert np.isnan(level.maps.heights).sum() == 1 and level.maps.pressure[3, 4] == 0
     assert "1 missing points were kept out of contact." in wording.assumptions(level)
 

@@ -149,7 +149,7 @@ class Output(CommandTest):
         done = self.solve(self.npy(rough()), "--pitch", "1e-6", "--modulus", "1e9", "--approach", "1e-7,2e-7", "--solver", "polonsky-keer",
                           "--set", "max_iter=1", "--out", "out", code=2, env=without_gnuplot())
         self.assertIn("RC_STOP_MAX_ITER", done.stdout)
-        self.assertEqual(self.names("out"), ["gap-1.npy", "gap-2.npy", "pressure-1.npy", "pressure-2.npy", "steps.csv", "summary.json"])
+        self.assertEqual(self.names("out"), ["gap-1.npy", "gap-2.npy", "heights.npy", "pressure-1.npy", "pressure-2.npy", "steps.csv", "summary.json"])
         steps = json.loads((self.folder / "out/summary.json").read_text())["steps"]
         self.assertEqual([step["status"] for step in steps], ["RC_STOP_MAX_ITER"] * 2)
 
@@ -320,7 +320,7 @@ class WrongInput(CommandTest):
         surface = self.npy(rough())
         done = self.solve(surface, "--pitch", "1e-6", "--unit", "m", "--modulus", "1e9", "--boundary", "periodic", "--approach", "1e-7,1", "--out", "out", code=1)
         self.assertIn("step 2", done.stderr)
-        self.assertEqual(self.names("out"), ["contact-1.png", "gap-1.npy", "pressure-1.npy", "steps.csv", "summary.json"])
+        self.assertEqual(self.names("out"), ["contact-1.png", "gap-1.npy", "heights.npy", "pressure-1.npy", "steps.csv", "summary.json"])
         self.assertEqual(len(json.loads((self.folder / "out/summary.json").read_text())["steps"]), 1)
         self.assertRegex(done.stderr, r"^roughcontact: step 2: .*\n$")
 

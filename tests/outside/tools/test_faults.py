@@ -60,7 +60,7 @@ class Streams(CommandTest):
                         streams = {name: subprocess.DEVNULL for number, name in enumerate(STREAMS) if number not in closed}
                         code = subprocess.run(command + ["--quiet"] * quiet, cwd=self.folder, preexec_fn=closing(closed), timeout=60, **streams).returncode
                         self.assertEqual(code, 0 if quiet or 1 not in closed else 1)
-                        self.assertEqual(self.names("out"), ["contact-1.png", "gap-1.npy", "pressure-1.npy", "steps.csv", "summary.json"])
+                        self.assertEqual(self.names("out"), ["contact-1.png", "gap-1.npy", "heights.npy", "pressure-1.npy", "steps.csv", "summary.json"])
                         picture = (out / "contact-1.png").read_bytes()
                         self.assertTrue(picture.startswith(b"\x89PNG") and picture.endswith(b"IEND\xaeB`\x82"))
                         self.assertEqual(np.load(out / "pressure-1.npy").shape, (24, 24))
@@ -84,7 +84,7 @@ class Folder(CommandTest):
         first.communicate()
         self.assertEqual(json.loads((out / "summary.json").read_text())["input"]["nx"], 64)
         self.solve(small, *HERTZ, "--approach", "1e-8", "--out", "out", env=without_gnuplot())
-        self.assertEqual(self.names("out"), ["gap-1.npy", "pressure-1.npy", "steps.csv", "summary.json"])
+        self.assertEqual(self.names("out"), ["gap-1.npy", "heights.npy", "pressure-1.npy", "steps.csv", "summary.json"])
 
     def test_a_killed_run_leaves_no_lock(self):
         surface, out = self.npy(rough(64, 64)), self.folder / "out"
@@ -95,7 +95,7 @@ class Folder(CommandTest):
         (out / ".pressure-7.npy.0123456789abcdef.tmp").write_text("half a file")
         (out / ".mine.0123456789abcdef.tmp").write_text("of the user's own")
         self.solve(surface, *HERTZ, "--approach", "1e-8", "--out", "out", env=without_gnuplot())
-        self.assertEqual(self.names("out"), [".mine.0123456789abcdef.tmp", "gap-1.npy", "pressure-1.npy", "steps.csv", "summary.json"])
+        self.assertEqual(self.names("out"), [".mine.0123456789abcdef.tmp", "gap-1.npy", "heights.npy", "pressure-1.npy", "steps.csv", "summary.json"])
 
     def test_files_of_others_are_not_overwritten(self):
         surface = self.npy(paraboloid(24))
@@ -143,7 +143,7 @@ class Folder(CommandTest):
                 out = disk / "out"
                 steps = json.loads((out / "summary.json").read_text())["steps"]
                 self.assertTrue(0 < len(steps) < 10)
-                arrays = {step_file(stem, k + 1, 10) for k in range(len(steps)) for stem in ("gap", "pressure")}
+                arrays = {"heights.npy"} | {step_file(stem, k + 1, 10) for k in range(len(steps)) for stem in ("gap", "pressure")}
                 self.assertEqual(arrays, {name for name in os.listdir(out) if name.endswith(".npy")})
                 for name in arrays:
                     self.assertEqual(np.load(out / name).shape, (64, 64))
@@ -188,14 +188,14 @@ class Signals(CommandTest):
                 (self.folder / "drawing").unlink()
                 run.communicate()
                 self.assertEqual([name for name in self.names("out") if name.endswith(".tmp")], [])
-                self.assertEqual(self.names("out")[-3:], ["gap-1.npy", "pressure-1.npy", "summary.json"])
+                self.assertEqual(self.names("out")[-4:], ["gap-1.npy", "heights.npy", "pressure-1.npy", "summary.json"])
 
     def test_the_first_lets_the_step_be_finished(self):
         run = self.started("touch drawing\nsleep 0.3\necho picture\n")
         run.send_signal(signal.SIGHUP)
         self.assertEqual(run.wait(60), 130)
         run.communicate()
-        self.assertEqual(self.names("out"), ["contact-1.png", "gap-1.npy", "pressure-1.npy", "steps.csv", "summary.json"])
+        self.assertEqual(self.names("out"), ["contact-1.png", "gap-1.npy", "heights.npy", "pressure-1.npy", "steps.csv", "summary.json"])
 
     def test_other_commands_end_without_their_file(self):
         self.file("gnuplot", "#!/bin/sh\ntouch drawing\nwhile [ -e drawing ]; do sleep 0.02; done\n")

@@ -113,7 +113,7 @@ class Writing(CommandTest):
     def test_files_of_a_sequence(self):
         z = rough()
         self.solve(self.npy(z), "--pitch", "1e-6,2e-6", "--modulus", "1e9", "--approach", "1e-7,2e-7", "--out", "deep/out")
-        self.assertEqual(self.names("deep/out"), sorted(["history.png", "steps.csv", "summary.json"] + [n % k for k in (1, 2) for n in ("contact-%d.png", "gap-%d.npy", "pressure-%d.npy")]))
+        self.assertEqual(self.names("deep/out"), sorted(["heights.npy", "history.png", "steps.csv", "summary.json"] + [n % k for k in (1, 2) for n in ("contact-%d.png", "gap-%d.npy", "pressure-%d.npy")]))
         for name in ("gap-1.npy", "pressure-2.npy"):
             array = np.load(self.folder / "deep/out" / name)
             self.assertEqual((array.dtype.str, array.shape, array.flags.c_contiguous), ("<f8", z.shape, True))
@@ -146,20 +146,20 @@ class Writing(CommandTest):
         self.solve(*common, "--approach", "1e-7,2e-7,3e-7")
         self.file("out/pressure-9.npy", "of the user's own")
         self.solve(*common, "--approach", "1e-7", env=without_gnuplot())
-        self.assertEqual(self.names("out"), ["gap-1.npy", "pressure-1.npy", "pressure-9.npy", "steps.csv", "summary.json"])
+        self.assertEqual(self.names("out"), ["gap-1.npy", "heights.npy", "pressure-1.npy", "pressure-9.npy", "steps.csv", "summary.json"])
 
     def test_without_gnuplot_all_but_the_pictures(self):
         done = self.solve(self.npy(rough()), "--pitch", "1e-6", "--modulus", "1e9", "--boundary", "periodic", "--approach", "1e-8,2e-8", "--out", "out", "--quiet",
                           "--unit", "m", env=without_gnuplot())
         self.assertEqual(done.stderr, "roughcontact: gnuplot not found: contact-K.png not drawn\n")
-        self.assertEqual(self.names("out"), ["gap-1.npy", "gap-2.npy", "pressure-1.npy", "pressure-2.npy", "steps.csv", "summary.json"])
+        self.assertEqual(self.names("out"), ["gap-1.npy", "gap-2.npy", "heights.npy", "pressure-1.npy", "pressure-2.npy", "steps.csv", "summary.json"])
 
     def test_gnuplot_that_fails_leaves_no_picture(self):
         self.file("gnuplot", "#!/bin/sh\necho half a picture\necho boom >&2\nexit 3\n")
         (self.folder / "gnuplot").chmod(0o755)
         done = self.solve(self.npy(rough()), "--pitch", "1um", "--unit", "m", *PRESS, "--out", "out", "--quiet", env=dict(os.environ, PATH=str(self.folder)))
         self.assertEqual(done.stderr, "roughcontact: contact-1.png not drawn, gnuplot failed: boom\n")
-        self.assertEqual(self.names("out"), ["gap-1.npy", "pressure-1.npy", "steps.csv", "summary.json"])
+        self.assertEqual(self.names("out"), ["gap-1.npy", "heights.npy", "pressure-1.npy", "steps.csv", "summary.json"])
 
     def test_full_disk_leaves_nothing(self):
         def small_disk():
@@ -167,7 +167,7 @@ class Writing(CommandTest):
 
         # Python ignores SIGXFSZ and hands that on, so that writing fails as it does on a full disk.
         self.npy(rough())
-        self.assert_fails("solve", "surface.npy", "--pitch", "1um", "--unit", "m", *PRESS, "--out", "out", "--quiet", says=["cannot write", "pressure-1.npy"],
+        self.assert_fails("solve", "surface.npy", "--pitch", "1um", "--unit", "m", *PRESS, "--out", "out", "--quiet", says=["cannot write", "heights.npy"],
                           preexec_fn=small_disk, restore_signals=False)
 
     def test_interrupt_keeps_finished_steps(self):
@@ -187,7 +187,7 @@ class Writing(CommandTest):
             self.assertLess(len(steps), 5000)
             self.assertEqual({step["status"] for step in steps[:-1]}, {"RC_OK"})
             self.assertIn(steps[-1]["status"], ("RC_OK", "RC_STOP_CANCELLED"))
-            self.assertEqual(sorted(os.listdir(out)), sorted(["steps.csv", "summary.json"] + [step_file(stem, k + 1, 5000) for k in range(len(steps)) for stem in ("gap", "pressure")]))
+            self.assertEqual(sorted(os.listdir(out)), sorted(["heights.npy", "steps.csv", "summary.json"] + [step_file(stem, k + 1, 5000) for k in range(len(steps)) for stem in ("gap", "pressure")]))
             for k, step in enumerate(steps, 1):
                 self.assertAlmostEqual(np.load(out / step_file("pressure", k, 5000)).sum() * 1e-12, step["load"], delta=1e-12 * step["load"])
 

@@ -102,7 +102,7 @@ class Files(Steps):
             if name.endswith(".npy"):
                 self.assertEqual((self.folder / "cut" / name).read_bytes(), (self.folder / "whole" / name).read_bytes())
         self.steps("--approach", "1e-8", out="cut")
-        self.assertEqual(self.names("cut"), ["gap-1.npy", "pressure-1.npy", "steps.csv", "summary.json"])
+        self.assertEqual(self.names("cut"), ["gap-1.npy", "heights.npy", "pressure-1.npy", "steps.csv", "summary.json"])
 
     def test_tables_without_maps(self):
         self.solve(self.npy(rough()), *PRESS, "--approach", "1e-8:1e-7:3", "--out", "out", "--no-maps")

@@ -1,4 +1,4 @@
-"""python -m roughcontact report: arguments in, exit status out."""
+"""roughcontact report: arguments in, exit status out."""
 
 import os
 import pathlib
@@ -9,11 +9,11 @@ from .._errors import ArgumentError, Interrupted, RoughContactError
 from .._paths import shown, write_file
 from .content import collect
 from .page import missing_packages, page
-from .request import read_request
+from .run import SolveFailed, read_arguments, run_of
 from .wording import conclusion
 
 CERTIFIED, WRONG, UNCERTIFIED, INTERRUPTED = 0, 1, 2, 130  # those of the command `roughcontact`
-USAGE = "usage: python -m roughcontact report FILE [options]; see python -m roughcontact report --help"
+USAGE = "usage: python -m roughcontact report FOLDER | SURFACE [words]; see python -m roughcontact report --help"
 
 
 def _one_line(error: BaseException) -> str:
@@ -21,24 +21,23 @@ def _one_line(error: BaseException) -> str:
 
 
 def report(arguments: Sequence[str]) -> int:
-    request = read_request(arguments)
+    asked, words = read_arguments(arguments)
     absent = missing_packages()
     if absent:
         raise ArgumentError(
             f"{' and '.join(absent)} not installed, which a page is made with: pip install 'roughcontact[report]'"
         )
-    out = pathlib.Path(request.out)
+    out = pathlib.Path(asked.out)
     if not out.parent.is_dir():
         raise ArgumentError(f"--out: the folder {str(out.parent)!r} does not exist")
     if out.is_dir():
-        raise ArgumentError(f"--out: {request.out!r} is a folder, name the page")
-    if out.exists() and os.path.exists(request.file) and os.path.samefile(out, request.file):
-        raise ArgumentError(f"--out: {request.out!r} is the surface's file, name the page")
-    content = collect(request)
-    if content.assumed:
-        print(f"roughcontact report: note: {content.assumed}", file=sys.stderr)
+        raise ArgumentError(f"--out: {asked.out!r} is a folder, name the page")
+    if out.exists() and any(os.path.exists(word) and os.path.samefile(out, word) for word in words):
+        raise ArgumentError(f"--out: {asked.out!r} is the surface's file, name the page")
+    with run_of(words) as (folder, curve):
+        content = collect(folder, curve, asked.law)
     write_file(out, page(content).encode())
-    print(f"{shown(request.out)}: {conclusion(content)}")
+    print(f"{shown(asked.out)}: {conclusion(content)}")
     return CERTIFIED if content.certified else UNCERTIFIED
 
 
@@ -50,6 +49,8 @@ def main(arguments: Sequence[str]) -> int:
         if arguments[0] != "report":
             raise ArgumentError(f"{arguments[0]!r} is no command; {USAGE}")
         return report(arguments[1:])
+    except SolveFailed as error:
+        return error.code
     except (RoughContactError, OSError) as error:
         print(f"roughcontact report: {_one_line(error)}", file=sys.stderr)
         return WRONG

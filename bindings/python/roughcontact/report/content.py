@@ -1,13 +1,17 @@
-"""What a report tells: the surface is read and pressed, and all that the page shows is gathered. Lengths in m, forces in N."""
+"""What a report tells: the folder of a run is read, and all that the page shows is gathered. Lengths in m, forces in N."""
 
 import datetime
+import json
 import math
-from dataclasses import dataclass, replace
+import pathlib
+import shlex
+from dataclasses import dataclass
+from types import SimpleNamespace
 from typing import Any, Dict, List, Optional, Tuple
 
 import numpy as np
 
-from .. import _constants, surface as surfaces
+from .. import analysis, surface as surfaces
 from .._arrays import Doubles
 from .._blocks import largest, means, side_of_blocks
 from .._errors import ArgumentError, LibraryNotFoundError
@@ -15,14 +19,27 @@ from .._height_map import Surface
 from .._law import Law
 from .._status import Status
 from ..analysis import Histogram, Patches
-from ..contact import Contact
-from ..context import version
-from ..result import Result
 from ..surface import PowerLaw, Spectrum, Statistics
-from .request import Request, press
+from ..system import REPEATS
 
 MOST_CELLS = 150000  # of a map on the page
 BINS = 60
+
+
+class Step(SimpleNamespace):
+    """A step of summary.json: its fields, NaN where they are null."""
+
+    def __init__(self, fields: Dict[str, Any]) -> None:
+        known = {name: math.nan if value is None else value for name, value in fields.items()}
+        super().__init__(**{"capped": 0, **known, "status": Status[fields["status"].removeprefix("RC_")]})
+
+    @property
+    def certified(self) -> bool:
+        return bool(self.status == Status.OK)
+
+    @property
+    def residual(self) -> float:
+        return max(self.kkt_primal, self.kkt_dual, self.kkt_complementarity, self.kkt_control)
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,38 +57,61 @@ class Maps:
 
 @dataclass(frozen=True, eq=False)
 class Content:
-    """surface: as pressed; missing: points that the file does not have
-    assumes_boundary: neither the request nor the file says it
+    """input: as summary.json has it, with the words that were given
+    curve: whether only the last target was asked for, and the others lead up to it
+    surface: as pressed; its boundary is that of the run
     contact_law: of --law
     statistics, spectrum, law: None where the library for them is absent or points are missing
-    steps: their answers, without arrays
     persson: rms slope of Persson's line; None if the surface is not one of his theory, elastic, periodic and nearly Gaussian
     date: of the day on which the surface was pressed, as 2026-11-27
     bearing: (share of the area that is higher, height)
     """
 
-    request: Request
+    input: Dict[str, Any]
+    curve: bool
     surface: Surface
-    assumed: str
-    assumes_boundary: bool
-    missing: int
     statistics: Optional[Statistics]
     spectrum: Optional[Spectrum]
     law: Optional[PowerLaw]
     bearing: Tuple[Doubles, Doubles]
-    steps: List[Result]
+    steps: List[Step]
     maps: Maps
     histogram: Optional[Histogram]
     patches: Patches
     contact_law: Optional[Law]
-    version: str
     date: str
+
+    @property
+    def words(self) -> Dict[str, str]:
+        found: Dict[str, str] = self.input["words"]
+        return found
+
+    @property
+    def modulus(self) -> float:
+        return float(self.input["modulus"])
+
+    @property
+    def hardness(self) -> Optional[float]:
+        return self.input.get("hardness")
+
+    @property
+    def version(self) -> str:
+        return str(self.input["library_version"])
+
+    @property
+    def command(self) -> str:
+        """That repeats the run."""
+        own = {"stiffness", "resumable", *self.words}
+        options = [f"--set={name}={text}" for name, text in self.input["options"].items() if name not in own]
+        words = [word for name, text in self.words.items() for word in ("--" + name, text)]
+        return shlex.join(["roughcontact", "solve", self.input["file"], *words, *options])
 
     @property
     def persson(self) -> Optional[float]:
         s = self.statistics
         gaussian = s is not None and abs(s.skewness) < 1 and 2.3 < s.kurtosis < 5  # 0 and 3 for a Gaussian, 1.5 for a wave
-        return s.rms_slope if s and gaussian and self.surface.periodic and not self.request.hardness else None
+        smooth = "shape" in self.words or self.hardness
+        return s.rms_slope if s and gaussian and self.surface.periodic and not smooth else None
 
     @property
     def nominal_area(self) -> float:
@@ -81,18 +121,18 @@ class Content:
     def certified(self) -> bool:
         return all(step.status in (Status.OK, Status.WITHIN_GOAL) for step in self.steps)
 
-    def corrected(self, step: Result) -> float:
+    def corrected(self, step: Step) -> float:
         """The share of the area in contact, less what partly touching cells add."""
-        return step.corrected_area / (step.points * self.surface.pitch[0] * self.surface.pitch[1])
+        return float(step.corrected_area / (step.points * self.surface.pitch[0] * self.surface.pitch[1]))
 
     def persson_area(self, load: float) -> float:
         """Persson's share of the area in contact, erf(sqrt(2) p/(E* h')), h' the rms slope (J. Chem. Phys. 115 (2001) 3840)."""
         assert self.persson
-        return math.erf(math.sqrt(2) * load / (self.nominal_area * self.request.modulus * self.persson))
+        return math.erf(math.sqrt(2) * load / (self.nominal_area * self.modulus * self.persson))
 
 
 def _judged(surface: Surface, periodic: bool) -> Tuple[Optional[Statistics], Optional[Spectrum], Optional[PowerLaw]]:
-    if surface.mask is not None or np.ptp(surface.heights) == 0:
+    if surface.missing.any() or np.ptp(surface.heights) == 0:
         return None, None, None
     try:
         statistics = surfaces.analyze(surface, periodic=periodic)
@@ -104,63 +144,65 @@ def _judged(surface: Surface, periodic: bool) -> Tuple[Optional[Statistics], Opt
         return statistics, None, None
 
 
-def _maps(surface: Surface, result: Result) -> Maps:
-    assert result.pressure is not None and result.gap is not None
+def _maps(surface: Surface, pressure: Doubles, gap: Doubles, yields: bool) -> Maps:
     side = side_of_blocks(surface.shape, MOST_CELLS)
-    heights = np.where(surface.missing, np.nan, surface.heights)
     return Maps(
         side=side,
         pitch=(surface.pitch[0] * side, surface.pitch[1] * side),
-        heights=means(heights - np.nanmean(heights), side),
-        pressure=largest(result.pressure, side),
-        gap=means(np.maximum(result.gap, 0) if result.capped > 0 else result.gap, side),
-        contact=means((result.pressure > 0).astype(float), side),
+        heights=means(surface.heights - np.nanmean(surface.heights), side),
+        pressure=largest(pressure, side),
+        gap=means(np.maximum(gap, 0) if yields else gap, side),
+        contact=means((pressure > 0).astype(float), side),
     )
 
 
-def _options(request: Request) -> Dict[str, Any]:
-    named = {"tol": request.tol, "accuracy": request.accuracy, "threads": request.threads}
-    return {"stiffness": 1, **{name: value for name, value in named.items() if value is not None}}
+def _array(folder: pathlib.Path, name: str) -> Doubles:
+    try:
+        found: Doubles = np.load(folder / name)
+    except OSError:
+        raise ArgumentError(f"{folder} has no {name}, which solve --out writes unless --no-maps is given") from None
+    return found
 
 
-def collect(request: Request) -> Content:
-    contact_law = Law.load(request.law) if request.law else None
-    press(request)
-    problem = request.problem
-    view, surface = problem.request.view, problem.surface()
-    remarks = problem.request.remarks()
-    steps: List[Result] = []
-    gap, mask = problem.gap, problem.mask
-    with Contact(problem.system, options=_options(request)) as contact:
-        for target in request.targets:
-            press_with: Any = {request.control: target}
-            result = contact.solve(undeformed_gap=gap, mask=mask, want_gap=True, check=False, **press_with)
-            gap = mask = None  # as in the step before
-            steps.append(problem.remarked(replace(result, pressure=None, gap=None, measures=result._measured)))
-    assert result.pressure is not None
-    heights = np.sort(surface.heights[~surface.missing])[::-1]
-    shares = np.linspace(0, 1, 201)
-    statistics, spectrum, law = _judged(surface, request.words.get("boundary") == "periodic" or surface.periodic is True)
-    said = [
-        each.text.decode(errors="replace")
-        for each in remarks
-        if each.code in (_constants.RC_REMARK_FILE, _constants.RC_REMARK_UNIT)
-    ]
+def collect(folder: pathlib.Path, curve: bool = False, law: Optional[str] = None) -> Content:
+    """Of the folder that `roughcontact solve --out` has written."""
+    contact_law = Law.load(law) if law else None
+    try:
+        text = (folder / "summary.json").read_text()
+    except OSError:
+        raise ArgumentError(f"{folder} has no summary.json, which roughcontact solve --out writes") from None
+    summary = json.loads(text)
+    given, steps = summary["input"], [Step(fields) for fields in summary["steps"]]
+    if not steps:
+        raise ArgumentError(f"{folder} has no finished step")
+    digits = len(str(len(given["targets"])))
+    heights, pressure, gap = (
+        _array(folder, name)
+        for name in ("heights.npy", *(f"{what}-{len(steps):0{digits}}.npy" for what in ("pressure", "gap")))
+    )
+    repeats = REPEATS[given["boundary"]]
+    surface = Surface(heights, (given["hx"], given["hy"]), repeats is True, unit="m")
+    known = heights[~surface.missing]
+    ordered, shares = np.sort(known)[::-1], np.linspace(0, 1, 201)
+    assumed = any(text.startswith("boundary periodic, the map is taken") for text in given["assumed"])
+    statistics, spectrum, power_law = _judged(surface, repeats is True and not assumed)
+    grid: Dict[str, Any] = {
+        "pitch": surface.pitch,
+        "periodic": repeats,
+        "mask": None if known.size == heights.size else ~surface.missing,
+    }
     return Content(
-        request=request,
-        surface=replace(surface, periodic=problem.system.periodic is True),
-        assumed="; ".join(said),
-        assumes_boundary=any(each.code == _constants.RC_REMARK_BOUNDARY for each in remarks),
-        missing=view.missing,
+        input=given,
+        curve=curve,
+        surface=surface,
         statistics=statistics,
         spectrum=spectrum,
-        law=law,
-        bearing=(shares, heights[np.round(shares * (len(heights) - 1)).astype(int)] - heights.mean()),
+        law=power_law,
+        bearing=(shares, ordered[np.round(shares * (len(ordered) - 1)).astype(int)] - ordered.mean()),
         steps=steps,
-        maps=_maps(surface, result),
-        histogram=result.histogram(BINS) if result.contacts else None,
-        patches=result.find_patches(),
+        maps=_maps(surface, pressure, gap, steps[-1].capped > 0),
+        histogram=analysis.histogram(pressure, BINS, None, **grid) if steps[-1].contacts else None,
+        patches=analysis.patches(pressure, **grid),
         contact_law=contact_law,
-        version=".".join(map(str, version())),
-        date=datetime.date.today().isoformat(),
+        date=datetime.date.fromtimestamp((folder / "summary.json").stat().st_mtime).isoformat(),
     )

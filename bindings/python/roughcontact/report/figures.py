@@ -9,7 +9,7 @@ from .._arrays import Doubles
 from .._constants import RC_LAW_BULK_MEAN
 from .._pictures import COLOURS, GROUND
 from ..analysis import Crossing
-from ..system import axes_of
+from ..system import REPEATS, axes_of
 from .content import Content
 from .quantities import prefix_for
 from .wording import status
@@ -64,7 +64,9 @@ class Figures:
         """Values of the steps against the load; on logarithmic axes where the loads spread."""
         y = np.array(values, float)
         y[~np.isfinite(y)] = np.nan
-        force, factor = prefix_for(self.loads.max()), prefix_for(np.nanmax(np.abs(y), initial=0)) if unit != "%" else (1.0, "")
+        force, factor = prefix_for(self.loads.max()), (
+            prefix_for(np.nanmax(np.abs(y), initial=0)) if unit not in ("%", "m³/s") else (1.0, "")
+        )
         text = [f"step {k}, {status(step)}" for k, step in enumerate(self.content.steps, 1)]
         points = self.graph.Scatter(
             x=self.loads / force[0],
@@ -81,6 +83,19 @@ class Figures:
             if y_log:
                 figure.update_yaxes(LOG)
         return figure
+
+    def _each(self, name: str) -> Doubles:
+        return np.array([getattr(step, name, np.nan) for step in self.content.steps], float)
+
+    def _smooth(self, approaches: Doubles) -> List[Any]:
+        """Hertz' approach, drawn beside these."""
+        values = self._each("smooth_approach")
+        if not np.isfinite(values).any():
+            return []
+        factor = prefix_for(np.nanmax(np.abs(approaches), initial=0))[0]
+        line = {"color": BLACK, "dash": "dash"}
+        x = self.loads / prefix_for(self.loads.max())[0]
+        return [self.graph.Scatter(x=x, y=values / factor, mode="lines", name="Hertz, smooth", line=line)]
 
     @property
     def spread(self) -> bool:
@@ -131,11 +146,14 @@ class Figures:
             ("gap", "mean gap", "m", False, "Of the deformed bodies, over all points."),
             ("stiffness", "stiffness", "N/m", True, "dW/dd: how much the load grows with the approach."),
             ("approach", "approach", "m", False, "Counted from first touch of the highest point."),
+            ("leak", "leak", "m³/s", True, "Through the gap, under the pressure that was given."),
         ):
-            values = [getattr(step, name.replace(" ", "_")) for step in self.content.steps]
+            values = self._each(name.replace(" ", "_"))
             if np.isfinite(values).any():
                 title = f"{name.capitalize()} against load"
-                found.append(Figure(key, title, told, self._curve(values, unit, name, y_log)))
+                smooth = self._smooth(values) if name == "approach" else []
+                told += " Dashed: Hertz' for the smooth body." if smooth else ""
+                found.append(Figure(key, title, told, self._curve(values, unit, name, y_log, smooth)))
         return found
 
     def contact_law(self) -> Optional[Figure]:
@@ -155,7 +173,9 @@ class Figures:
         named: Any = {"hovertemplate": hover}
         traces = [
             self.graph.Scatter(x=x / length, y=at("p_lower") / pressure, **line),
-            self.graph.Scatter(x=x / length, y=at("p_upper") / pressure, fill="tonexty", fillcolor="rgba(230, 0, 46, 0.3)", **line),
+            self.graph.Scatter(
+                x=x / length, y=at("p_upper") / pressure, fill="tonexty", fillcolor="rgba(230, 0, 46, 0.3)", **line
+            ),
             self.graph.Scatter(x=x / length, y=at("p") / pressure, mode="lines", name="law", line={"color": RED}, **named),
             self.graph.Scatter(
                 x=of_steps / length,
@@ -218,8 +238,10 @@ class Figures:
 
     def gap_map(self) -> Figure:
         last = self.content.steps[-1]
-        crossing = Crossing(last.contact_crosses, last.gap_crosses, axes_of(last.grid.periodic))
-        told = f"Between the deformed bodies in the last step; 0 in contact. From side to side {crossing}." + self._of_blocks("mean")
+        crossing = Crossing(last.contact_crosses, last.gap_crosses, axes_of(REPEATS[self.content.input["boundary"]]))
+        told = f"Between the deformed bodies in the last step; 0 in contact. From side to side {crossing}." + self._of_blocks(
+            "mean"
+        )
         return Figure("gaps", "Gap", told, self._map(self.content.maps.gap, "m", "gap", "Viridis"), self.wide)
 
     def pressures(self) -> Optional[Figure]:

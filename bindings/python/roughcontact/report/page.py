@@ -30,7 +30,7 @@ def page(content: Content) -> str:
     figures, plotly = figures_of(content)
     drawn = ",".join(f"{json.dumps(each.name)}:{each.figure.to_json()}" for each in figures)
     words: Dict[str, Any] = {
-        "name": shown(pathlib.Path(content.request.file).name),
+        "name": shown(pathlib.Path(content.input["file"]).name),
         "facts": wording.facts(content),
         "conclusion": wording.conclusion(content),
         "certificate": wording.certificate(content),
@@ -43,7 +43,7 @@ def page(content: Content) -> str:
         "assumptions": wording.assumptions(content),
         "citation": wording.CITATION,
         "persson": wording.PERSSON if content.persson else None,
-        "command": shown(content.request.command),
+        "command": shown(content.command),
         "version": content.version,
         "figures": {each.name: each for each in figures},
         "plotly": _packed(plotly),

@@ -1,34 +1,56 @@
 """What a report says in words and tables."""
 
-from typing import List, Sequence, Tuple
+from typing import Dict, List, Sequence, Tuple
 
 import numpy as np
 
 from .._remarks import elastic_limit
 from .._status import Status
-from ..result import Result
 from ..surface import PowerLaw
-from .content import Content
+from .content import Content, Step
 from .quantities import with_prefix
 
 Rows = Sequence[Tuple[str, str]]
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
-def status(step: Result) -> str:
+def status(step: Step) -> str:
     if step.status == Status.WITHIN_GOAL:
         return "within accuracy"
     return "certified" if step.certified else step.status.name
 
 
+def smooth(step: Step) -> str:
+    """Hertz' answer for the smooth body, if a shape was given; begins with a blank."""
+    if not (hasattr(step, "smooth_width") and step.contacts):
+        return ""
+    parts = [f"contact {with_prefix(step.smooth_width, 'm')} wide"]
+    parts += [f"approach {with_prefix(step.smooth_approach, 'm')}"] if np.isfinite(step.smooth_approach) else []
+    parts += (
+        [f"largest pressure {with_prefix(step.smooth_max_pressure, 'Pa')}"] if np.isfinite(step.smooth_max_pressure) else []
+    )
+    return f" Without roughness (Hertz): {', '.join(parts)}."
+
+
+def leak(step: Step) -> str:
+    """With its proven interval, if it was asked for; begins with a blank."""
+    if not hasattr(step, "leak"):
+        return ""
+    return f" Leak {_power(step.leak)} m³/s ({_power(step.leak_lower)} to {_power(step.leak_upper)})."
+
+
 def conclusion(content: Content) -> str:
     """What the last step has shown."""
     last = content.steps[-1]
+    return _conclusion(content, last) + smooth(last) + leak(last)
+
+
+def _conclusion(content: Content, last: Step) -> str:
     if not last.contacts:
         return f"Load {with_prefix(last.load, 'N')}, no contact."
     line = "" if last.status in (Status.OK, Status.WITHIN_GOAL) else f"Not certified ({status(last)}): "
     line += f"Contact area {100 * last.area_fraction:.3g} % at {with_prefix(last.load, 'N')}; "
-    hardness = content.request.hardness
+    hardness = content.hardness
     if hardness and last.capped:
         share = 100 * last.capped / last.contacts
         cell = content.surface.pitch[0] * content.surface.pitch[1]
@@ -40,7 +62,7 @@ def conclusion(content: Content) -> str:
     line += f"largest pressure {with_prefix(last.max_pressure, 'Pa')}"
     if hardness:
         return line + f", below the hardness of {with_prefix(hardness, 'Pa')}."
-    doubt = elastic_limit(last.max_pressure, content.request.modulus, "--hardness")
+    doubt = elastic_limit(last.max_pressure, content.modulus, "--hardness")
     return line + (f". Warning: {doubt}." if doubt else ".")
 
 
@@ -49,9 +71,9 @@ def facts(content: Content) -> List[str]:
     loads = [step.load for step in content.steps]
     least, most = with_prefix(min(loads), "N"), with_prefix(max(loads), "N")
     return [
-        f"E* {with_prefix(content.request.modulus, 'Pa')}",
-        *([f"hardness {with_prefix(content.request.hardness, 'Pa')}"] if content.request.hardness else []),
-        "periodic boundary" if content.surface.periodic else "free boundary",
+        f"E* {with_prefix(content.modulus, 'Pa')}",
+        *([f"hardness {with_prefix(content.hardness, 'Pa')}"] if content.hardness else []),
+        f"{content.input['boundary']} boundary",
         f"load {most}" if least == most else f"{len(loads)} loads, {least} to {most}",
         content.date,
         f"roughcontact {content.version}",
@@ -103,12 +125,13 @@ PROOF_HEAD = (
 )
 
 
-def _errors(step: Result) -> str:
-    """The errors of a coarser grid, if one was solved for the goal of --accuracy."""
-    accuracy = step.accuracy
-    if step.status != Status.WITHIN_GOAL or accuracy is None:
+def _errors(step: Step) -> str:
+    """The errors of a coarser grid, if one was solved for the goal of option accuracy."""
+    if step.status != Status.WITHIN_GOAL:
         return "this grid was solved"
-    return f"{100 * accuracy.error_estimate:.2g} %, {100 * accuracy.area_estimate:.2g} % ({accuracy.model_nx} × {accuracy.model_ny} points solved)"
+    return (
+        f"{100 * step.error_estimate:.2g} %, {100 * step.area_estimate:.2g} % ({step.model_nx} × {step.model_ny} points solved)"
+    )
 
 
 def _power(value: float) -> str:
@@ -155,8 +178,8 @@ def surface_rows(content: Content) -> Rows:
         ("points", f"{columns} × {rows}"),
         ("pitch", " × ".join(with_prefix(side, "m", 5) for side in surface.pitch)),
         ("size", f"{with_prefix(columns * surface.pitch[0], 'm', 4)} × {with_prefix(rows * surface.pitch[1], 'm', 4)}"),
-        ("boundary", "periodic" if surface.periodic else "free"),
-        ("missing points", f"{content.missing} of {rows * columns}"),
+        ("boundary", content.input["boundary"]),
+        ("missing points", f"{content.input['missing']} of {rows * columns}"),
     ]
     s, law = content.statistics, content.law
     if s is not None:
@@ -182,45 +205,42 @@ def self_affine(law: PowerLaw) -> bool:
     return bool(-law.hurst_error < law.hurst < 1 + law.hurst_error)
 
 
+def _material(words: Dict[str, str]) -> str:
+    if "modulus" in words:
+        return "the contact modulus was given"
+    bodies = [(words.get("E" + which), words.get("nu" + which)) for which in ("", "2")]
+    told = " and ".join(f"E = {E}, ν = {nu}" for E, nu in bodies if E is not None)
+    return told + ("" if "E2" in words or "," in words["E"] else "; the other body is rigid")
+
+
 def assumptions(content: Content) -> List[str]:
-    request, told = content.request, []
-    told.append(
-        f"Units: {content.assumed}."
-        if content.assumed
-        else (
-            f"Lengths without a unit are in {request.words['unit']}."
-            if "unit" in request.words
-            else "Units and pitch are those that the file states."
-        )
-    )
-    words = request.words
+    words, missing = content.words, content.input["missing"]
+    told = [f"{text[0].upper()}{text[1:]}." for text in content.input["assumed"]]
+    if "unit" in words:
+        told.append(f"Lengths without a unit are in {words['unit']}.")
     if "pitch" in words:
         told.append(f"The pitch was given: {' × '.join(with_prefix(side, 'm', 5) for side in content.surface.pitch)}.")
     rule = {"fill": "interpolated from their neighbours: contact there is a guess", "exclude": "kept out of contact"}
-    told.append(
-        f"{content.missing} missing points were {rule[words['missing']]}." if content.missing else "No point is missing."
-    )
+    told.append(f"{missing} missing points were {rule[words['missing']]}." if missing else "No point is missing.")
     form = words.get("remove", "none")
     changes = [] if form == "none" else [f"A least-squares {form} was taken off the heights."]
     told_of = {"against": "The heights of {} were added.", "shape": "The shape {} was added."}
     changes += [text.format(words[word]) for word, text in told_of.items() if word in words]
     told += changes or ["The heights were taken as they are."]
-    told.append(f"Contact modulus E* = {with_prefix(request.modulus, 'Pa', 4)}: {request.material}.")
-    if request.hardness:
+    told.append(f"Contact modulus E* = {with_prefix(content.modulus, 'Pa', 4)}: {_material(words)}.")
+    if content.hardness:
         told.append(
-            f"Elastic up to the hardness of {with_prefix(request.hardness, 'Pa', 4)}; where it acts the overlap is plastic and stays."
+            f"Elastic up to the hardness of {with_prefix(content.hardness, 'Pa', 4)}; where it acts the overlap is plastic and stays."
         )
     else:
         told.append("Linear elastic at every pressure; no hardness was given.")
     told.append("Small slopes, an elastic half-space, no adhesion, no friction, no layers.")
-    if request.curve:
+    if content.curve:
         told.append("One target was given; the steps below it were added for the curves.")
-    if not content.surface.periodic:
+    if content.input["boundary"] == "free":
         told.append("Free boundary: nothing presses beyond the map's edges.")
-    elif not content.assumes_boundary:
-        told.append("Periodic boundary: the map is a sample of a larger surface.")
-    else:
-        told.append("Periodic boundary, which the file does not say: give --boundary free if the body ends at the map's edges.")
+    elif "boundary" in words:
+        told.append(f"Boundary {words['boundary']}: the map is a sample of a larger surface.")
     return told
 
 
@@ -230,9 +250,8 @@ def doubts(content: Content) -> List[str]:
     for k, step in enumerate(content.steps, 1):
         if step.message:
             found.append(f"Step {k}: {step.message}")
-        note = step.note.replace("level them", "level them with --remove plane")
-        if note and note not in found:
-            found.append(note)
+        if step.note and step.note not in found:
+            found.append(step.note)
     law, last = content.law, content.steps[-1]
     if law is not None and np.isfinite(law.hurst) and not self_affine(law):
         found.append(
@@ -256,9 +275,7 @@ def certificate(content: Content) -> str:
         "the limit. The intervals hold the exact load and contact area of this grid at the approach found."
     )
     if within:
-        told += (
-            f" {within} were solved on a coarser grid, within the goal of --accuracy: their errors are estimates, not proven."
-        )
+        told += f" {within} were solved on a coarser grid, within the goal of option accuracy: their errors are estimates, not proven."
     return told
 
 
