@@ -27,6 +27,9 @@ class Case {
   Case(const Case&) = delete;
   Case& operator=(const Case&) = delete;
 
+  /** If set, every scene is solved by this pair that can be. */
+  static std::optional<pairs::Pair> only;
+
   const Scene& scene() const { return scene_; }
   const Influence& h() const { return h_; }
   const rc_system& system() const { return system_; }

@@ -234,22 +234,44 @@ void draw_hardness(const Cover& cover, Scene& scene, const Influence* h) {
                                                 : hardness;
 }
 
+// Zeros, one pressure everywhere, noise, or far too much.
+Field draw_start(Random& random, const Scene& scene, const Influence* h) {
+  const double row = h ? static_cast<double>((*h)(0, 0)) : length_of(scene) / scene.system.modulus;
+  const double size = scene.hard() ? scene.system.hardness : scene.surfaces.front().gap.size() * 1e-3 * length_of(scene) / row;
+  const std::int64_t kind = random.below(4);
+  Field p0(scene.points(), kind == 0 ? 0.0 : size * (kind == 3 ? 1e4 : 0.1));
+  if (kind == 2)
+    for (double& p : p0) p *= random.uniform(-0.2, 2);
+  return p0;
+}
+
+// Approaches change by their distance from first touch, and stay below the mean plane where they must.
+double changed_target(const Scene& scene, double target, double factor) {
+  if (scene.control != RC_CONTROL_APPROACH) return factor * target;
+  const Levels levels = levels_of(scene.surfaces.front());
+  const double most = scene.periodic() && levels.whole && !scene.hard() ? 0.999 * (levels.mean - levels.lowest) : HUGE_VAL;
+  return levels.lowest + std::min(factor * (target - levels.lowest), most);
+}
+
 void draw_steps(Scene& scene, const Influence* h) {
   Random random(scene.seed, targets);
   const double kind = random.uniform();
+  const bool many = kind > 0.99 && !scene.large() && scene.surfaces.size() == 1;
   const std::int64_t count = scene.large() ? random.between(1, 2)
+                             : many        ? 40
                              : kind < 0.4  ? 1
                              : kind < 0.85 ? random.between(2, 4)
                                            : random.between(5, 8);
-  const bool small_changes = random.chance(0.2), always_cold = random.chance(0.15);
+  const bool small_changes = many || random.chance(0.2), always_cold = random.chance(0.15), starts = random.chance(0.2);
   for (std::int64_t k = 0; k < count; ++k) {
     Step step;
     step.surface = scene.surfaces.size() > 1 && random.chance(0.4) ? 1 : 0;
     step.warm = !always_cold;
-    if (small_changes && k > 0 && scene.surfaces.size() == 1)
-      step.target = scene.steps.back().target * (1 + 1e-3 * random.uniform(-1, 1));
+    if (small_changes && k > 0 && scene.surfaces.size() == 1 && !random.chance(0.1))
+      step.target = changed_target(scene, scene.steps.back().target, 1 + (many ? 0.05 : 1e-3) * random.uniform(-1, 1));
     else
       step.target = draw_target(random, scene, h, scene.surfaces[step.surface]);
+    if (starts && !scene.large() && random.chance(0.5)) step.p0 = draw_start(random, scene, h);
     scene.steps.push_back(step);
   }
 }

@@ -28,6 +28,7 @@ struct Step {
   double target = 0;
   std::size_t surface = 0;
   bool warm = true;
+  Field p0;  // [n] a start, or empty
 };
 
 struct Scene {

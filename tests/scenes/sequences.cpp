@@ -14,8 +14,9 @@ namespace {
 // All intervals and stiffnesses, as histories and batches give them if they are wanted.
 const pairs::Settings everything{{"stiffness", "2"}, {"bounds", "1"}};
 
-bool one_surface(const Scene& scene) {
-  return std::ranges::all_of(scene.steps, [](const Step& step) { return step.surface == 0; });
+// As histories and batches have them: one surface, and no start given.
+bool one_history(const Scene& scene) {
+  return std::ranges::all_of(scene.steps, [](const Step& step) { return step.surface == 0 && step.p0.empty(); });
 }
 
 bool all_certified(const Case& c) { return c.answers().size() == c.scene().steps.size() && c.answers().back().status == RC_OK; }
@@ -59,7 +60,7 @@ bool spoil_column(Columns& columns, std::size_t from, std::size_t count, Random&
 class AsHistory final : public Property {
  public:
   std::string ask(const Case& c) override {
-    if (!one_surface(c.scene())) return "two surfaces";
+    if (!one_history(c.scene())) return "no history";
     if (!all_certified(c)) return "not certified";
     by_steps_ = by_history_ = Columns(c.scene().steps.size());
     const Handle steps = c.open(everything);

@@ -1,5 +1,6 @@
 // Random scenes and what must hold of each. The seed is the name of a failure.
-//   test_scenes [--seeds A:B] [--property NAME] [--reduced] [--slow]
+//   test_scenes [--seeds A:B] [--property NAME] [--pair SOLVER*BACKEND] [--reduced] [--slow]
+// --pair: each scene that this pair can solve is solved by it.
 // --reduced: scenes of few points, for slow builds, as RC_TEST_QUICK=1 asks for. --slow: lists scenes that take more than 0.2 s.
 #include <array>
 #include <charconv>
@@ -146,8 +147,11 @@ bool parse(int argc, char** argv, Wanted& wanted) {
     if (++i == argc) return false;
     const std::string_view value = argv[i];
     const std::size_t colon = std::min(value.find(':'), value.size());
+    const std::size_t star = value.find('*');
     if (key == "--property")
       wanted.property = value;
+    else if (key == "--pair" && star != value.npos)
+      Case::only = pairs::Pair{std::string(value.substr(0, star)), std::string(value.substr(star + 1))};
     else if (key != "--seeds" || colon == value.size() || !parse(value.substr(0, colon), wanted.first) ||
              !parse(value.substr(colon + 1), wanted.end))
       return false;
@@ -163,7 +167,7 @@ int main(int argc, char** argv) {
   scenes::Wanted wanted;
   if (pairs::quick()) wanted.end = 200, wanted.reduced = true;
   if (!scenes::parse(argc, argv, wanted)) {
-    std::fprintf(stderr, "usage: %s [--seeds A:B] [--property NAME] [--reduced] [--slow]\n", argv[0]);
+    std::fprintf(stderr, "usage: %s [--seeds A:B] [--property NAME] [--pair SOLVER*BACKEND] [--reduced] [--slow]\n", argv[0]);
     return 2;
   }
   scenes::Driver driver(wanted);
