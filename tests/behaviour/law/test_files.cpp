@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iomanip>
 #include <iterator>
+#include <random>
 #include <sstream>
 
 #include "patches.h"
@@ -40,9 +41,9 @@ std::string sum_of(const std::string& text) {
 // A folder of its own, which must hold nothing but the files that are named at the end.
 class Folder {
  public:
-  explicit Folder(const std::string& name) : path_(fs::temp_directory_path() / ("law-" + name)) {
-    fs::remove_all(path_);
-    fs::create_directory(path_);
+  explicit Folder(const std::string& name)
+      : path_(fs::temp_directory_path() / ("law-" + name + '-' + std::to_string(std::random_device()()))) {
+    check(fs::create_directory(path_), path_.string() + " exists");
   }
   ~Folder() { fs::remove_all(path_); }
   std::string operator/(const char* name) const { return (path_ / name).string(); }

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <random>
 #include <thread>
 
 #include "patches.h"
@@ -33,7 +34,8 @@ double evaluated(const rc_law* law) {
 
 void eight_threads_evaluate_one_law() {
   const LawHandle law = made(usual_patch(24));
-  const std::string path = (std::filesystem::temp_directory_path() / "of-eight-threads.law").string();
+  const std::string path =
+      (std::filesystem::temp_directory_path() / ("of-eight-threads-" + std::to_string(std::random_device()()) + ".law")).string();
   pairs::check_equal(rc_law_save(law.get(), path.c_str()), RC_OK, "save");
   std::array<double, crowd> sums{};
   std::vector<std::thread> threads;

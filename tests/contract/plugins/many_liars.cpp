@@ -274,6 +274,8 @@ const Case lies[] = {
      [](rc_many& m) { for_each_answer(m, [](rc_many_answer& answer, double*) { answer.complementarity = 4e-7; }); }},
     {"one residual just below tol is not the true one", "contact 3, step 1: kkt_dual is ",
      [](rc_many& m) { m.answers[7].dual = 0.9 * tol; }},
+    {"one complementarity just below tol is not the true one", "contact 3, step 1: kkt_complementarity is ",
+     [](rc_many& m) { m.answers[7].complementarity = 0.9 * tol; }},
 };
 
 void no_lie_is_taken(void**) {
@@ -342,19 +344,26 @@ void falsify(rc_many& many, std::int64_t i) {
   for (std::int64_t k = 0; k < points; ++k) many.answers[i].sum += p[k];
 }
 
-// The library recomputes 8 of 64 contacts, chosen at random: it finds a single false answer in one call of 8, wherever it is.
+// The library recomputes 8 of 64 contacts, chosen at random: it finds a single false answer in one call of 8, wherever it is. A
+// solver cannot know which: also a lie that stays at one place is found in one call of 8, not in all or none.
 void one_lie_among_many_is_found_by_chance(void**) {
-  constexpr std::int64_t n = 64, calls = 2000;
+  constexpr std::int64_t n = 64, calls = 500;
   const Scene of(RC_CONTROL_APPROACH, n, 1);
-  std::int64_t found = 0;
-  for (std::int64_t call = 0; call < calls; ++call) {
-    const Found each = solved(of, [&](rc_many& m) { falsify(m, call % n); });
-    assert_int_equal(each.status, RC_OK);
-    found += each.refused();
-  }
-  print_message("1 false answer among %d: found in %d of %d calls\n", static_cast<int>(n), static_cast<int>(found),
-                static_cast<int>(calls));
-  assert_true(found >= 160 && found <= 345);  // 250 are expected, give or take 15
+  const auto check_found = [&](const char* where, const std::function<std::int64_t(std::int64_t)>& place) {
+    std::int64_t found = 0;
+    for (std::int64_t call = 0; call < calls; ++call) {
+      const Found each = solved(of, [&](rc_many& m) { falsify(m, place(call)); });
+      assert_int_equal(each.status, RC_OK);
+      found += each.refused();
+    }
+    print_message("1 false answer among %d, %s: found in %d of %d calls\n", static_cast<int>(n), where, static_cast<int>(found),
+                  static_cast<int>(calls));
+    assert_true(found >= 20 && found <= 110);  // 62 are expected, give or take 7
+  };
+  check_found("at each place in turn", [](std::int64_t call) { return call % n; });
+  check_found("at the first place of a part", [](std::int64_t) { return 8; });
+  check_found("at the last place", [](std::int64_t) { return n - 1; });
+  check_found("inside a part", [](std::int64_t) { return 29; });
 }
 
 // A solver whose answers are often wrong is found in its first call. Of up to 8 contacts all are checked; one is false here. Of
