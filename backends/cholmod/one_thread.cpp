@@ -36,9 +36,10 @@ BlasThreads blas_threads;
 
 }  // namespace
 
+// OpenBLAS takes 128 MiB of addresses in its first call and ends the process if it gets none. Asked for here first, their lack is
+// an error.
 void require_blas_workspace() {
-  constexpr std::size_t workspace = std::size_t{129}
-                                    << 20;  // addresses; it keeps 128 MiB from the first call on, of which few are touched
+  constexpr std::size_t workspace = std::size_t{129} << 20;
   if (!openblas_get_parallel) return;
   void* volatile room = std::malloc(workspace);  // not to be left out by the compiler
   if (!room) throw std::bad_alloc();

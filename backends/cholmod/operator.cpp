@@ -1,3 +1,4 @@
+// H by CHOLMOD: a factor of all entries where there is room (exact()), else conjugate gradients with a factor of the near ones.
 #include "operator.h"
 
 #include <algorithm>

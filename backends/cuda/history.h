@@ -10,11 +10,11 @@
 
 namespace rc_cuda {
 
-// Where a start lies, in the units of a step.
+// Pressures to start a step from, in its units.
 struct Start {
   rc_common::Box box;
-  double unit, cap;  // [force/length^2], of p in these units
-  double* p;         // there
+  double unit, cap;  // the pressure that is 1 in p [force/length^2], and the largest p
+  double* p;         // device memory, [box]
 };
 
 class History {

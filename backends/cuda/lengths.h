@@ -10,7 +10,7 @@ namespace rc_cuda {
 
 struct Torus {
   Index width, height;
-  bool periodic;  // it is the grid itself; else offsets of the box do not meet around it
+  bool periodic;  // width x height is the periodic grid; else it is padded, so that products do not wrap around
 
   Index pitch() const { return width / 2 + 1; }  // of rows of complex numbers
   template <class R> std::size_t bytes() const { return static_cast<std::size_t>(2 * pitch() * height) * sizeof(R); }

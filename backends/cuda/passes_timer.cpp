@@ -67,7 +67,7 @@ void measure(Engine& engine, Index n) {
   engine.make_room({torus.bytes<double>(), M::bytes(cells, trees.bytes())}, 0, 1e18, "the timer");
   const M::Memory memory = M::place(engine.vectors(), cells, trees.bytes());
   trees.place(device, memory.trees);
-  // Every tenth cell is in the free set.
+  // One run of 64 cells in ten is in the free set.
   std::vector<std::uint8_t> state(static_cast<std::size_t>(cells), is_unknown);
   std::vector<double> u(state.size()), p(state.size());
   for (std::size_t i = 0; i < u.size(); ++i) {

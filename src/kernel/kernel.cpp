@@ -2,21 +2,11 @@
 #include "kernel/kernel.h"
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
 #include <limits>
 
 #include "kernel/kernels.h"
 
 namespace rc::kernel {
-
-namespace {
-
-using Fill = void (*)(double hx, double hy, const Window&, double* out);
-
-constexpr std::array<Fill, kernels.size()> fills{disc, eq9, galerkin, love, punch, nullptr};
-
-}  // namespace
 
 std::span<const Kernel> all() { return kernels; }
 
@@ -26,10 +16,8 @@ const Kernel* find(std::string_view name) {
 }
 
 void window_coefficients(const Kernel& kernel, double hx, double hy, const Window& window, double* out) {
-  const Kernel* known = find(kernel.name);
-  const Fill fill_table = known ? fills[static_cast<std::size_t>(known - kernels.data())] : nullptr;
-  if (fill_table)
-    fill_table(hx, hy, window, out);
+  if (kernel.window)
+    kernel.window(hx, hy, window, out);
   else  // not a free kernel: there is no value
     std::fill_n(out, window.mx * window.my, std::numeric_limits<double>::quiet_NaN());
 }

@@ -11,26 +11,28 @@ namespace rc::kernel {
 
 enum class Boundary { free, periodic };
 
-struct Kernel {
-  const char* name;
-  const char* summary;  // one line
-  Boundary boundary;    // where it is defined
-  bool square_cells;    // needs hx == hy
-  bool semi_periodic;   // also on grids that repeat along one axis
+// The offsets (first_x + ix, first_y + iy), 0 <= ix < mx, 0 <= iy < my, of a table out[iy*mx + ix].
+struct Window {
+  std::int64_t first_x, first_y, mx, my;
 };
 
-// All kernels, sorted by name.
+// A kernel of the homogeneous half-space.
+struct Kernel {
+  const char* name;
+  const char* summary;                                               // one line
+  Boundary boundary;                                                 // where it is defined
+  bool square_cells;                                                 // needs hx == hy
+  bool semi_periodic;                                                // also on grids that repeat along one axis
+  void (*window)(double hx, double hy, const Window&, double* out);  // free coefficients; null: periodic boundaries only
+};
+
+// All of them, sorted by name.
 std::span<const Kernel> all();
 const Kernel* find(std::string_view name);  // nullptr if there is none
 
 // Free kernels: out[iy*mx + ix] = coefficient at offset (ix*hx, iy*hy), 0 <= ix < mx, 0 <= iy < my.
 // Relative error <= 1e-12 at every offset up to 16384 cells.
 void coefficients(const Kernel&, double hx, double hy, std::int64_t mx, std::int64_t my, double* out);
-
-// The offsets (first_x + ix, first_y + iy), 0 <= ix < mx, 0 <= iy < my, of a table out[iy*mx + ix].
-struct Window {
-  std::int64_t first_x, first_y, mx, my;
-};
 
 // coefficients() of any window; constructing a kernel's expansion costs some microseconds.
 void window_coefficients(const Kernel&, double hx, double hy, const Window&, double* out);

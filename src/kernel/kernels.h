@@ -1,4 +1,4 @@
-// The list of kernels, and one table-filling function each.
+// The kernels of the homogeneous half-space; layer/ has one of another body.
 #pragma once
 
 #include <algorithm>
@@ -11,19 +11,6 @@
 
 namespace rc::kernel {
 
-// Sorted by name.
-inline constexpr std::array<Kernel, 6> kernels{{
-    {"disc", "uniform pressure on the inscribed disc, centre deflection; square cells, first order", Boundary::free, true, false},
-    {"eq9",
-     "punch with the self term printed in Bemporad & Paggi (2015), eq. (9), 36 % too small: only to reproduce their results",
-     Boundary::free, true, false},
-    {"galerkin", "uniform pressure on the cell, mean deflection of the receiving cell; second order", Boundary::free, false,
-     false},
-    {"love", "uniform pressure on the cell, centre deflection (Love 1929); second order", Boundary::free, false, true},
-    {"punch", "rigid circular punch inscribed in the cell; square cells, first order", Boundary::free, true, false},
-    {"spectral", "exact for every wave that the periodic grid resolves: 2/|q|, mean 0", Boundary::periodic, false, true},
-}};
-
 void love(double hx, double hy, const Window&, double* out);
 void galerkin(double hx, double hy, const Window&, double* out);
 
@@ -31,6 +18,20 @@ void galerkin(double hx, double hy, const Window&, double* out);
 void disc(double hx, double hy, const Window&, double* out);
 void punch(double hx, double hy, const Window&, double* out);
 void eq9(double hx, double hy, const Window&, double* out);
+
+// Sorted by name.
+inline constexpr std::array<Kernel, 6> kernels{{
+    {"disc", "uniform pressure on the inscribed disc, centre deflection; square cells, first order", Boundary::free, true, false,
+     disc},
+    {"eq9",
+     "punch with the self term printed in Bemporad & Paggi (2015), eq. (9), 36 % too small: only to reproduce their results",
+     Boundary::free, true, false, eq9},
+    {"galerkin", "uniform pressure on the cell, mean deflection of the receiving cell; second order", Boundary::free, false,
+     false, galerkin},
+    {"love", "uniform pressure on the cell, centre deflection (Love 1929); second order", Boundary::free, false, true, love},
+    {"punch", "rigid circular punch inscribed in the cell; square cells, first order", Boundary::free, true, false, punch},
+    {"spectral", "exact for every wave that the periodic grid resolves: 2/|q|, mean 0", Boundary::periodic, false, true, nullptr},
+}};
 
 // cos(2 pi i/n), i = 0 .. n - 1
 std::vector<double> cosines_of_a_turn(std::int64_t n);

@@ -7,7 +7,7 @@
 
 namespace rc::kernel {
 
-// Free kernels: no eigenvalue of H on any finite set of cells of the lattice is smaller [length].
+// Free kernels: no eigenvalue of H on any finite set of cells of the lattice is smaller [length]. 0: none is known.
 double lowest_eigenvalue(const Kernel&, double hx, double hy);
 
 // Free kernels: c with x'Hx >= c x'Gx for all x, where G is the matrix of the kernel galerkin. 0: none is known.
