@@ -185,6 +185,7 @@ int64_t rc_request_remark_count(const rc_request* request) { return request ? st
 
 rc_status rc_request_remark(const rc_request* request, int64_t index, rc_remark* out) {
   return rc::request::guard([&] {
+    if (!request) fail(RC_ERR_ARGUMENT, "request is null");
     check_size(out, "rc_remark");
     const std::int64_t count = rc_request_remark_count(request);
     if (index < 0 || index >= count) fail(RC_ERR_ARGUMENT, "index = ", index, " is not below ", count);
@@ -201,8 +202,9 @@ rc_status rc_request_remark(const rc_request* request, int64_t index, rc_remark*
 
 rc_status rc_request_smooth(const rc_request* request, double load, rc_smooth* out) {
   return rc::request::guard([&] {
-    if (!request || !request->shape) fail(RC_ERR_ARGUMENT, "no shape was named");
+    if (!request) fail(RC_ERR_ARGUMENT, "request is null");
     check_size(out, "rc_smooth");
+    if (!request->shape) fail(RC_ERR_ARGUMENT, "no shape was named");
     const rc_system& s = request->view.system;
     if (s.op != RC_OPERATOR_HALFSPACE) fail(RC_ERR_ARGUMENT, "the system is no half-space");
     if (!(load >= 0) || !std::isfinite(load)) fail(RC_ERR_ARGUMENT, "load = ", load, " must be 0 or more, and finite");

@@ -1,3 +1,4 @@
+#include <roughcontact/product.h>
 #include <roughcontact/ranks.h>
 
 #include <cstring>
