@@ -10,7 +10,7 @@ from case import Failure
 from options import PARSER
 
 for name in ('scaling', 'passes', 'products', 'small', 'speed_accuracy', 'goals', 'histories', 'failures', 'paper', 'physics',
-             'published', 'peers', 'mapped', 'ranks', 'documents'):
+             'published', 'peers', 'mapped', 'leak', 'ranks', 'documents'):
     importlib.import_module(name)  # each adds its sub-commands
 
 if __name__ == '__main__':

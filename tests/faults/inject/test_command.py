@@ -77,6 +77,7 @@ class Sweeps(CommandTest):
     def each_command(self):
         surface = self.npy(rough(32, 32))
         yield ["solve", surface, *HISTORY]
+        yield ["solve", surface, *HISTORY, "--boundary", "periodic", "--leak", "viscosity=1mPas,drop=1bar"]
         yield ["generate", "noise", "--size", "32", "--output", "a.npy"]
         yield ["generate", "spectral", "--size", "32", "--output", "a.gsf"]
         yield ["analyze", surface, "--pitch", "1e-6", "--json", "a.json"]
