@@ -215,6 +215,10 @@ void full_contact_has_no_interval(void**) {
   if (!std::isnan(full.result.gap_error)) fail_msg("a gap is proven");
   const rc_flow_result found = scene.leak(full, RC_FLOW_X);
   assert_true(found.lower == 0 && std::isinf(found.upper) && found.status == RC_STOP_STALLED && found.flow == 0);
+  Solution blind = scene.solved(RC_CONTROL_LOAD, 0.01 * static_cast<double>(scene.points()), 1e-8);
+  blind.result.gap_error = NAN;  // as with option bounds 0
+  const rc_flow_result unknown = scene.leak(blind, RC_FLOW_X);
+  assert_true(unknown.lower == 0 && std::isinf(unknown.upper) && unknown.status == RC_STOP_STALLED && unknown.flow > 0);
 }
 
 }  // namespace

@@ -54,18 +54,20 @@ void strips_add_in_parallel_and_in_series(void**) {
 }
 
 void one_channel_with_one_constriction_is_a_sum_of_resistances(void**) {
-  Field channel = uniform(5, 5, 0);
-  const std::int64_t path[][2] = {{0, 1}, {1, 1}, {1, 2}, {1, 3}, {2, 3}, {3, 3}, {4, 3}};
-  for (const auto& [x, y] : path) channel.at(x, y) = 1;
-  channel.at(1, 3) = 0.01;
-  // Half a cell at each end of the path, and six edges between its cells.
-  const double k = 1e-6, beside = 2 * k / (1 + k);
-  const double resistance = 0.5 + 0.5 + 4 + 2 / beside;
-  const rc_flow_result found = flow(channel);
-  contains(found, 1 / resistance, "constriction");
-  require_near(found.flow, 1 / resistance, 1e-9, "constriction");
-  assert_true(found.constriction_x == 1 && found.constriction_y == 3);
-  require_near(found.constriction, 0.01, tiny, "height");
+  for (const double height : {0.01, 1e-6}) {  // conductances differ by 10^6, 10^18
+    Field channel = uniform(5, 5, 0);
+    const std::int64_t path[][2] = {{0, 1}, {1, 1}, {1, 2}, {1, 3}, {2, 3}, {3, 3}, {4, 3}};
+    for (const auto& [x, y] : path) channel.at(x, y) = 1;
+    channel.at(1, 3) = height;
+    // Half a cell at each end of the path, and six edges between its cells.
+    const double k = std::pow(height, 3), beside = 2 * k / (1 + k);
+    const double resistance = 0.5 + 0.5 + 4 + 2 / beside;
+    const rc_flow_result found = flow(channel);
+    contains(found, 1 / resistance, "constriction");
+    require_near(found.flow, 1 / resistance, 1e-9, "constriction");
+    assert_true(found.constriction_x == 1 && found.constriction_y == 3);
+    require_near(found.constriction, height, tiny, "height");
+  }
 }
 
 // In the limit of fine cells a checkerboard of k and 1/k conducts 1 (duality; Keller 1964). The squares' corners converge slowly.
