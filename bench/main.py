@@ -9,7 +9,7 @@ import roughcontact
 from case import Failure
 from options import PARSER
 
-for name in ('scaling', 'passes', 'products', 'small', 'speed_accuracy', 'goals', 'histories', 'failures', 'paper', 'physics',
+for name in ('scaling', 'passes', 'products', 'small', 'overhead', 'speed_accuracy', 'goals', 'histories', 'failures', 'paper', 'physics',
              'published', 'peers', 'mapped', 'leak', 'ranks', 'documents'):
     importlib.import_module(name)  # each adds its sub-commands
 

@@ -3,6 +3,7 @@
 import ast
 import ctypes
 import dataclasses
+import functools
 import sys
 from ctypes import POINTER
 from typing import Annotated, Any, ClassVar, Dict, Iterator, List, Tuple, Type, TypeVar, get_args
@@ -83,5 +84,17 @@ def prototypes(functions: type) -> Iterator[Tuple[str, Any, List[Any]]]:
 
 def members_for(cls: type, members: Sized) -> Dict[str, Any]:
     """The members whose names the fields of a dataclass have, with texts decoded."""
-    found = {each.name: getattr(members, each.name) for each in dataclasses.fields(cls) if hasattr(members, each.name)}
-    return {name: value.decode(errors="replace") if isinstance(value, bytes) else value for name, value in found.items()}
+    names, texts = _shared_names(cls, type(members))
+    found = {name: getattr(members, name) for name in names}
+    for name in texts:
+        if found[name] is not None:
+            found[name] = found[name].decode(errors="replace")
+    return found
+
+
+@functools.lru_cache(maxsize=None)
+def _shared_names(cls: type, struct: Type[Sized]) -> Tuple[Tuple[str, ...], Tuple[str, ...]]:
+    """(all, texts)"""
+    kinds = {field[0]: field[1] for field in struct._fields_}
+    names = tuple(each.name for each in dataclasses.fields(cls) if hasattr(struct, each.name))
+    return names, tuple(name for name in names if kinds[name] is ctypes.c_char_p or getattr(kinds[name], "_type_", None) is ctypes.c_char)

@@ -2,12 +2,13 @@
 
 import ctypes
 import functools
+import os
 import threading
 from typing import Any, Callable, Dict, List, NamedTuple, Optional, Tuple, TypeVar, cast
 
 from ._errors import BusyError, Interrupted, error_for
 from ._library import contact_library, flow_library, formats_library, surface_library
-from ._signals import AsCaller, block
+from ._signals import AsCaller, block, blocked
 from ._status import Status
 from ._use import Use
 
@@ -124,6 +125,35 @@ def _refused(error: BaseException) -> bool:
     return isinstance(error, RuntimeError) and error.__context__ is None and says_so
 
 
+class Worker(threading.Thread):
+    """A thread for one call after the other, because starting one takes as long as a small contact."""
+
+    def __init__(self) -> None:
+        super().__init__(name="roughcontact", daemon=True)
+        self._work = threading.Lock()
+        self._work.acquire()
+        self._given: Optional[Callable[["Worker"], None]] = None
+        self.start()
+
+    def run(self) -> None:
+        while True:
+            self._work.acquire()
+            work, self._given = self._given, None
+            assert work is not None
+            work(self)
+            del work
+
+    def give(self, work: Callable[["Worker"], None]) -> None:
+        """work: ends with this worker among those that are free."""
+        self._given = work
+        self._work.release()
+
+
+free: List[Worker] = []
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=free.clear)
+
+
 def interruptible(
     call: Callable[[], int], use: Optional[Use] = None, keep: Any = None, of: Callable[[], Library] = contact_calls
 ) -> Tuple[int, str, Optional[BaseException]]:
@@ -131,7 +161,7 @@ def interruptible(
 
     On the main thread call() runs on a thread of its own: Python delivers signals to the main thread only, which waits here.
     What a signal handler raises, KeyboardInterrupt as a rule, ends the call and is returned when that has ended. Without a
-    second thread the call runs on this one, and handlers run when it has ended.
+    second thread the call runs on this one, and handlers run when it has ended. Threads are kept for later calls.
 
     A handler may raise at any place, so it can get out of this function before the call has ended. The thread therefore holds
     all that the call uses: call itself, keep (what call knows by its address alone), and the use of a handle.
@@ -151,8 +181,10 @@ def interruptible(
     done = threading.Lock()
     done.acquire()
 
-    def body(_: Any = keep) -> None:
-        block()
+    caller = blocked()
+
+    def body(worker: Worker, _: Any = keep) -> None:
+        block(caller)
         working = use is None or use.begin_work()
         answer: Any = None
         try:
@@ -164,6 +196,7 @@ def interruptible(
         finally:
             if use is not None and working:
                 use.end_work()
+            free.append(worker)
             if answer is not None:
                 found.append(answer)
                 done.release()
@@ -177,7 +210,7 @@ def interruptible(
             flag.value = 1
 
     try:
-        threading.Thread(target=body, name="roughcontact", daemon=True).start()
+        (free.pop() if free else Worker()).give(body)
         while not done.acquire(timeout=0.1):
             pass  # a signal that the system gave to another thread does not wake this one
     except BaseException as error:  # from a signal handler, or there is no second thread

@@ -29,12 +29,20 @@ def _set(blocked: _Set, before: Optional[_Set] = None) -> None:
     _mask(int(signal.SIG_SETMASK), ctypes.byref(blocked), None if before is None else ctypes.byref(before))
 
 
-def block() -> None:
-    """On this thread, from here on."""
-    if _mask is not None:
-        before = _Set()
-        _set(_all, before)
-        _local.before = before
+def blocked() -> Optional[_Set]:
+    """What this thread blocks; None where signals cannot be blocked."""
+    if _mask is None:
+        return None
+    now = _Set()
+    _mask(int(signal.SIG_BLOCK), None, ctypes.byref(now))
+    return now
+
+
+def block(caller: Optional[_Set]) -> None:
+    """All signals on this thread, from here on. caller: what the thread that made the call blocks."""
+    if caller is not None:
+        _set(_all)
+        _local.before = caller
 
 
 class AsCaller:

@@ -25,5 +25,5 @@ def with_threads(options: Any, system: System, contacts: int = 0) -> Dict[str, A
     else:
         points = int(np.prod(system.shape))
         useful = points // POINTS_EACH if isinstance(system, HalfSpace) else points * points // (16 * POINTS_EACH)
-    alone = isinstance(system, Product)  # the caller's function, which several threads might not call
-    return {_constants.RC_OPT_THREADS: 1 if alone else max(1, min(usable_cores(), useful)), **dict(options or {})}
+    alone = useful < 2 or isinstance(system, Product)  # the caller's function, which several threads might not call
+    return {_constants.RC_OPT_THREADS: 1 if alone else min(usable_cores(), useful), **dict(options or {})}

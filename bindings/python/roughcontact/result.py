@@ -309,7 +309,9 @@ def result_from(
     known = contact is not None and contact_library().rc_contact_accuracy(contact, accuracy) == Status.OK
     own["measures"] = None
     own["accuracy"] = Accuracy(**members_for(Accuracy, accuracy)) if known else None
-    return Result(**{**members_for(Result, struct), **own})
+    answer = object.__new__(Result)  # its __init__ would set 60 members one by one
+    vars(answer).update(members_for(Result, struct), assumed=(), smooth=None, **own)
+    return answer
 
 
 def result_with_copies(struct: rc_result, grid: Grid, contact: Any = None) -> Result:

@@ -48,3 +48,6 @@ assert 0.5 < mapped['contact_percent'] / mapped['percent_wanted'] < 2, mapped
 
 small = run('small', '--quick')['rows']
 assert len(small) == 6 and all(row['value'] > 0 for row in small if 'first' not in row['row']), small
+
+overhead = run('overhead', '--repeats', '5')['rows']
+assert [row['value'] > 0 for row in overhead[:2]] == [True, True], overhead

@@ -12,6 +12,7 @@ import pytest
 from conftest import refused
 
 import roughcontact as rc
+from roughcontact import _calls
 from roughcontact._calls import _wait
 
 LONG = {"modulus": 1.0, "options": {"solver": "gp", "tol": 1e-14, "max_iter": 10**9}}
@@ -171,7 +172,15 @@ def escape(monkeypatch):
 
 
 def workers():
-    return [thread for thread in threading.enumerate() if thread.name == "roughcontact"]
+    """Threads that work for a call."""
+    return [thread for thread in threading.enumerate() if thread.name == "roughcontact" and thread not in _calls.free]
+
+
+def wait_for_workers():
+    deadline = time.monotonic() + 60
+    while workers() and time.monotonic() < deadline:
+        time.sleep(0.01)
+    assert not workers()
 
 
 def test_a_call_that_is_left_too_early_keeps_what_it_uses(large, monkeypatch):
@@ -194,8 +203,7 @@ def test_a_call_that_is_left_too_early_keeps_what_it_uses(large, monkeypatch):
             raise ZeroDivisionError
     assert contact._close.alive  # not destroyed below the thread that works
     leave.set()
-    for thread in workers():
-        thread.join()
+    wait_for_workers()
     assert not contact._close.alive
     refused(rc.ArgumentError, "closed", contact.points)
 
@@ -223,15 +231,15 @@ def test_calls_that_are_left_too_early_end_by_themselves(large, monkeypatch, kin
     }
     refused(KeyboardInterrupt, "", calls[kind])
     monkeypatch.undo()
-    for thread in workers():
-        thread.join()
+    wait_for_workers()
     assert rc.solve(large, approach=1.0, modulus=1.0, boundary="free").certified
 
 
 def test_two_signals_at_the_same_time():
     """In a Python of its own: what handlers raise may arrive anywhere."""
     code = """
-import os, signal, threading, roughcontact as rc
+import os, signal, threading, time, roughcontact as rc
+from roughcontact import _calls
 def term(*_):
     raise SystemExit(3)
 signal.signal(signal.SIGTERM, term)
@@ -247,9 +255,8 @@ for _ in range(10):
         rc.solve(large, approach=2.0, modulus=1.0, boundary="free", progress=both, options={"solver": "gp", "tol": 1e-14, "max_iter": 10**9})
     except BaseException as error:
         kept = error
-    for thread in threading.enumerate():
-        if thread.name == "roughcontact":
-            thread.join()
+    while [thread for thread in threading.enumerate() if thread.name == "roughcontact" and thread not in _calls.free]:
+        time.sleep(0.01)
 assert rc.solve(large, approach=1.0, modulus=1.0, boundary="free").certified
 print("sound")
 """

@@ -282,7 +282,7 @@ def test_the_page_of_a_report(tmp_path, rough_surface, monkeypatch, capsys):
     """Its writing; what is on it needs more packages."""
     monkeypatch.setattr(command, "missing_packages", lambda: ())
     monkeypatch.setattr(
-        command, "page", lambda content: f"<p>{page.shown(content.request.file)} {page.shown(content.request.command)}</p>"
+        command, "page", lambda content: f"<p>{page.shown(content.input['file'])} {page.shown(content.command)}</p>"
     )
     file = str(tmp_path / (ODD + ".gsf"))
     rough_surface.save(file)
