@@ -98,6 +98,12 @@ def test_the_smooth_answer_and_the_leak_are_told(file):
     words = ["solve", file, "--unit", "um", "--pitch", "1", *STEEL, "--load", "1mN", "--leak", "viscosity=1mPas,drop=1bar"]
     if "built without" not in subprocess.run([program(), *words, "--quiet"], stderr=subprocess.PIPE, text=True).stderr:
         leaking = collected(file, "--load", "1mN", *words[-2:])
+        rows, fluid = wording.leak_rows(leaking), leaking.maps.fluid
+        assert len(rows) == len(leaking.steps) and len(rows[0]) == len(wording.LEAK_HEAD)
+        assert f"{leaking.steps[-1].leak_lower:.6g} to {leaking.steps[-1].leak_upper:.6g} m³/s" in rows[-1]
+        assert fluid.shape == leaking.maps.gap.shape and np.nanmin(fluid) >= 0 and np.nanmax(fluid) <= 1
+        assert np.nanmean(fluid[:, 0]) > np.nanmean(fluid[:, -1]) and np.isnan(fluid[leaking.maps.pressure > 0]).all()
+        assert collected(file, "--load", "1mN").maps.fluid is None
         assert re.search(r" Leak \d\.\d·10⁻[⁰¹²³⁴⁵⁶⁷⁸⁹]+ m³/s \(", wording.conclusion(leaking)), wording.conclusion(leaking)
 
 

@@ -15,6 +15,7 @@ from .. import analysis, surface as surfaces
 from .._arrays import Doubles
 from .._blocks import largest, means, side_of_blocks
 from .._errors import ArgumentError, LibraryNotFoundError
+from .._flow import flow
 from .._height_map import Surface
 from .._law import Law
 from .._status import Status
@@ -45,7 +46,7 @@ class Step(SimpleNamespace):
 @dataclass(frozen=True, eq=False)
 class Maps:
     """Maps of the surface as pressed and of the last step, in blocks of side x side points: the means of heights, gaps and shares
-    of contact, the largest pressures."""
+    of contact, the largest pressures. fluid: the fluid's pressure over the drop; None without a leak"""
 
     side: int
     pitch: Tuple[float, float]
@@ -53,6 +54,7 @@ class Maps:
     pressure: Doubles
     gap: Doubles
     contact: Doubles
+    fluid: Optional[Doubles]
 
 
 @dataclass(frozen=True, eq=False)
@@ -144,7 +146,17 @@ def _judged(surface: Surface, periodic: bool) -> Tuple[Optional[Statistics], Opt
         return statistics, None, None
 
 
-def _maps(surface: Surface, pressure: Doubles, gap: Doubles, yields: bool) -> Maps:
+def _fluid(given: Dict[str, Any], gap: Doubles, pitch: Tuple[float, float]) -> Doubles:
+    along = given["leak_along"]
+    repeats = REPEATS[given["boundary"]]
+    sides = "periodic" if repeats is True or repeats not in (False, along) else "closed"
+    fluid = {"viscosity": given["viscosity"], "pressure_drop": given["pressure_drop"], "along": along, "sides": sides}
+    found = flow(np.nan_to_num(np.maximum(gap, 0)), pitch=pitch, want_potential=True, **fluid).potential
+    assert found is not None
+    return found
+
+
+def _maps(surface: Surface, pressure: Doubles, gap: Doubles, yields: bool, given: Dict[str, Any]) -> Maps:
     side = side_of_blocks(surface.shape, MOST_CELLS)
     return Maps(
         side=side,
@@ -153,6 +165,7 @@ def _maps(surface: Surface, pressure: Doubles, gap: Doubles, yields: bool) -> Ma
         pressure=largest(pressure, side),
         gap=means(np.maximum(gap, 0) if yields else gap, side),
         contact=means((pressure > 0).astype(float), side),
+        fluid=means(_fluid(given, np.where(pressure > 0, 0, gap), surface.pitch), side) if "viscosity" in given else None,
     )
 
 
@@ -200,7 +213,7 @@ def collect(folder: pathlib.Path, curve: bool = False, law: Optional[str] = None
         law=power_law,
         bearing=(shares, ordered[np.round(shares * (len(ordered) - 1)).astype(int)] - ordered.mean()),
         steps=steps,
-        maps=_maps(surface, pressure, gap, steps[-1].capped > 0),
+        maps=_maps(surface, pressure, gap, steps[-1].capped > 0, given),
         histogram=analysis.histogram(pressure, BINS, None, **grid) if steps[-1].contacts else None,
         patches=analysis.patches(pressure, **grid),
         contact_law=contact_law,

@@ -45,7 +45,7 @@ class Figures:
 
     def all(self) -> List[Figure]:
         found: List[Optional[Figure]] = [*self.curves()] if len(self.loads) > 1 else []
-        found += [self.contact_law(), self.pressure_map(), self.height_map(), self.gap_map(), self.pressures(), self.patches()]
+        found += [self.contact_law(), self.pressure_map(), self.height_map(), self.gap_map(), self.pressures(), self.patches(), self.fluid_map()]
         return [each for each in [*found, self.spectrum(), self.bearing()] if each is not None]
 
     def _figure(self, traces: Sequence[Any], x: str, y: str, **layout: Any) -> Any:
@@ -243,6 +243,13 @@ class Figures:
             "mean"
         )
         return Figure("gaps", "Gap", told, self._map(self.content.maps.gap, "m", "gap", "Viridis"), self.wide)
+
+    def fluid_map(self) -> Optional[Figure]:
+        fluid = self.content.maps.fluid
+        if fluid is None or np.isnan(fluid).all():
+            return None
+        told = "In the last step, over the drop: 1 where the fluid enters. Where nothing flows is dark." + self._of_blocks("mean")
+        return Figure("fluid", "Pressure of the fluid", told, self._map(fluid, "", "pressure", "Viridis", zmin=0, zmax=1), self.wide)
 
     def pressures(self) -> Optional[Figure]:
         found = self.content.histogram

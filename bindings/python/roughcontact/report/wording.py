@@ -113,6 +113,24 @@ STEP_HEAD = (
     "patches",
     "status",
 )
+LEAK_HEAD = ("step", "load", "leak", "exact, at this approach", "lowest gap on the best path")
+
+
+def leak_rows(content: Content) -> List[Tuple[str, ...]]:
+    """Below `LEAK_HEAD`; none without a leak."""
+    return [
+        (
+            str(k),
+            with_prefix(step.load, "N", 4),
+            f"{step.leak:.4g} m³/s",
+            f"{step.leak_lower:.6g} to {step.leak_upper:.6g} m³/s" if step.leak_upper else "0, proven",
+            with_prefix(step.constriction, "m") if step.constriction else "no path",
+        )
+        for k, step in enumerate(content.steps, 1)
+        if hasattr(step, "leak")
+    ]
+
+
 PROOF_HEAD = (
     "step",
     "residual",
