@@ -44,7 +44,9 @@ include=$folder/libraries/usr/include/spooles
 lib=$folder/libraries/usr/lib/$(dpkg-architecture -qDEB_HOST_MULTIARCH)
 optimize=${CCX_OPTIMIZE:--O2}
 [ "$part" = heat ] && own=gapcon.f || own=roughcontact.f
-cmp -s "$here/$own" "$sources/$own" || cp "$here/$own" "$sources"
+for file in rough_functions.f "$own"; do  # the second includes the first
+  cmp -s "$here/$file" "$sources/$file" || cp "$here/rough_functions.f" "$here/$own" "$sources"
+done
 make -C "$sources" -j "$(nproc)" CC=cc FC=gfortran FFLAGS="$optimize -w -fopenmp -fallow-argument-mismatch" \
   CFLAGS="$optimize -w -fopenmp -I$include -DARCH=Linux -DSPOOLES -DARPACK -DMATRIXSTORAGE -DUSE_MT=1" ccx_2.20.o ccx_2.20.a >make.log 2>&1 ||
   { tail -n 20 make.log >&2; exit 1; }

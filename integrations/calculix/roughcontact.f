@@ -11,11 +11,13 @@
 !     MERCHANTABILITY or FITNESS FOR A PARTICULAR PURPOSE. See the
 !     GNU General Public License for more details.
 !
+      include 'rough_functions.f'
+!
 !     The laws of the deck. Laws are added while the deck is read, by
 !     one thread; after that they are only read.
 !
       module roughcontact_laws
-      use, intrinsic :: iso_c_binding
+      use rough_functions
       implicit none
       integer, parameter :: most=64
       type law_of_the_deck
@@ -27,75 +29,18 @@
       end type
       type(law_of_the_deck), save :: laws(most)
       integer, save :: number_of_laws=0
-      interface
-         function rc_law_open(name,path,law) bind(c) result(status)
-         import
-         character(kind=c_char), intent(in) :: name(*)
-         type(c_ptr), value :: path
-         type(c_ptr), intent(out) :: law
-         integer(c_int32_t) :: status
-         end function
-         function rc_law_pressure(law,x,p,slope,energy) bind(c)
-     &        result(status)
-         import
-         type(c_ptr), value :: law
-         real(c_double), value :: x
-         real(c_double), intent(out) :: p,slope,energy
-         integer(c_int32_t) :: status
-         end function
-         function rc_law_gap_conductance(law,p,rho1,rho2,h) bind(c)
-     &        result(status)
-         import
-         type(c_ptr), value :: law
-         real(c_double), value :: p,rho1,rho2
-         real(c_double), intent(out) :: h
-         integer(c_int32_t) :: status
-         end function
-         function rc_last_error() bind(c) result(text)
-         import
-         type(c_ptr) :: text
-         end function
-      end interface
-      contains
-!
-!     a negative status ends the run, as errors do in the routines of
-!     contact springs
-!
-      subroutine check(status)
-      integer(c_int32_t), intent(in) :: status
-      if(status.lt.0) then
-         call print_last_error()
-         call exit(201)
-      endif
-      end subroutine
-!
-      subroutine print_last_error()
-      character(kind=c_char), pointer :: text(:)
-      integer :: i
-      call c_f_pointer(rc_last_error(),text,[1024])
-      do i=1,size(text)-1
-         if(text(i).eq.c_null_char) exit
-      enddo
-      write(*,*) '       ',text(1:i-1)
-      end subroutine
       end module
 !
-!     opens the law of a surface interaction name or LAW_name: the file
-!     name.law, in lower case. numbers(1..2): conductivities, (3..4): one unit of
-!     length and of force of the law in units of the deck; 0: unset
+!     opens the law of a surface interaction. numbers(1..2):
+!     conductivities, (3..4): one unit of length and of force of the law
+!     in units of the deck; 0: unset
 !
       subroutine rough_law_open(name,numbers,number,ier)
       use roughcontact_laws
       implicit none
-      character*80 name,lower
+      character*80 name
       real*8 numbers(4),length,force
-      integer number,ier,i,status
-!
-      lower=name
-      do i=1,len_trim(lower)
-         if((lower(i:i).ge.'A').and.(lower(i:i).le.'Z'))
-     &        lower(i:i)=char(ichar(lower(i:i))+32)
-      enddo
+      integer number,ier,status
 !
 !     *CHANGE SURFACE BEHAVIOR may name an interaction again
 !
@@ -108,9 +53,7 @@
          ier=1
          return
       endif
-      if(lower(1:4).eq.'law_') lower=lower(5:)
-      status=rc_law_open(trim(lower)//c_null_char,c_null_ptr,
-     &     laws(number)%law)
+      call open_law_of(name,laws(number)%law,status)
       if(status.gt.0) then
          write(*,*) '*WARNING reading *SURFACE BEHAVIOR: the law of'
          write(*,*) '       interaction ',trim(name),' is not proven:'
