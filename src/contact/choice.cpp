@@ -353,7 +353,7 @@ const rc_backend& certifying_backend(const std::string& name, const rc_options& 
   return backend;
 }
 
-bool few(std::int64_t contacts, std::int64_t points, bool by_rows) {
+bool are_few(std::int64_t contacts, std::int64_t points, bool by_rows) {
   if (by_rows)
     return contacts > 0 && contacts <= most_few_by_rows &&
            static_cast<double>(contacts) <= few_share_by_rows * static_cast<double>(points);

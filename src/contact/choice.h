@@ -69,6 +69,6 @@ const rc_backend& certifying_backend(const std::string& name, const rc_options& 
 // a periodic grid by rows, the backend makes each product with them together.
 std::optional<Choice> choose_for_few(const GridProblem& problem, std::int32_t control);
 // Whether contacts this dense are still few. by_rows: every process has all of them, and makes a part of each product.
-bool few(std::int64_t contacts, std::int64_t points, bool by_rows);
+bool are_few(std::int64_t contacts, std::int64_t points, bool by_rows);
 
 }  // namespace rc

@@ -61,22 +61,4 @@ double Target::compression(const StepSurface& surface) const {
   return surface.range().included > 0 ? value - surface.lowest() : 0;
 }
 
-// The scale follows from the problem alone: an answer must not set the scale that it is judged by. Periodic, load control: in
-// full contact the compression may vanish under any load. The scale is then at least a quarter of mean pressure times
-// length_per_pressure, or what the kernel deflects a cell by if that is less; the library's kernels deflect it by more, if it is
-// up to 100 times as long as wide. Periodic, approach control: gaps under pressure as large as the mean gap would leave the
-// load open, so tol times the scale is half of it at most.
-double residual_scale(const Target& target, const GridProblem& problem, double compression) {
-  const System& system = problem.system;
-  const double mean_pressure = target.value / system.cell_area() / static_cast<double>(system.points());
-  return residual_scale(
-      {.periodic = system.periodic(),
-       .by_load = target.by_load(),
-       .whole = problem.surface.range().whole,
-       .deflected = system.bounds.least_deflection * system.length_per_pressure * mean_pressure,
-       .mean_height = system.periodic() && !target.by_load() ? problem.surface.moments().mean : 0,  // a pass over the surface
-       .tol = problem.options.real(RC_OPT_TOL)},
-      compression);
-}
-
 }  // namespace rc

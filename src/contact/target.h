@@ -29,7 +29,5 @@ inline Step step_of(const rc_step& step) { return {{step.control, step.target}, 
 
 // Throws Error(ARGUMENT, INFEASIBLE). surface: the step's, which need not be the problem's yet.
 void check(const Step& step, const GridProblem& problem, const StepSurface& surface);
-// The scale s [length] that residuals of gaps are relative to.
-double residual_scale(const Target& target, const GridProblem& problem, double compression);
 
 }  // namespace rc

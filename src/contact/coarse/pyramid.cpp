@@ -20,31 +20,36 @@ int halvings_of(const GridProblem& finer) {
 
 }  // namespace
 
-void Pyramid::build(const Target& target, const Monitor& monitor) {
+void Pyramid::build() {
   constexpr double tol = 1e-2;  // spreading the pressures to the finer grid loses further digits
   constexpr std::int64_t least_side = 64;
   if (std::exchange(built_, true)) return;
   building_ = true;
-  rc_options options = coarse_options(given_.options, monitor);
+  rc_options options = coarse_options(given_.options, monitor_);
   options.set(RC_OPT_TOL, std::max(tol, given_.options.real(RC_OPT_TOL)));
   for (;;) {
     const GridProblem& finer = coarsest();
     const rc_system& system = finer.system.given;
     if (std::min(system.nx, system.ny) < 2 * least_side) break;
     auto level = std::make_unique<Level>(finer, options, halvings_of(finer));
-    if (!target.touches(level->problem().surface)) break;
+    if (!target_.touches(level->problem().surface)) break;
     levels_.push_back(std::move(level));
   }
   building_ = false;
+}
+
+const Level* Pyramid::next() {
+  build();
+  return levels_.empty() ? nullptr : levels_.back().get();
 }
 
 std::optional<Estimate> Pyramid::estimate() const {
   if (!reached_) return std::nullopt;
   const GridProblem& on = coarsest();
   const Blocks blocks{on.system.given.nx, on.system.given.ny, std::int64_t{1} << reached_->halvings};
-  if (GatheredTiles* const gathered = on.surface.gathered()) gathered->hold_tiles_of(blocks.points_under(reached_->pressures));
+  if (on.surface.gathered()) on.surface.hold_tiles_of(blocks.points_under(reached_->pressures));
   const bool sparse =
-      few(reached_->pressures.contacts(), blocks.coarse_nx() * blocks.coarse_ny(), on.operators().multiply_by_rows());
+      are_few(reached_->pressures.contacts(), blocks.coarse_nx() * blocks.coarse_ny(), on.operators().multiply_by_rows());
   return Estimate{spread(reached_->pressures, blocks, on.surface, Cut::same_pressure), reached_->approach, !sparse};
 }
 

@@ -16,14 +16,14 @@ namespace rc {
 
 class Pyramid {
  public:
-  // given: the grid of the step, which must outlive the pyramid.
-  explicit Pyramid(const GridProblem& given) : given_(given) {}
+  // given: the grid of the step; monitor: that of the step. Both must outlive the pyramid.
+  Pyramid(const GridProblem& given, const Target& target, const Monitor& monitor)
+      : given_(given), target_(target), monitor_(monitor) {}
 
-  // Halves the given grid until a side has less than 128 points, or nothing touches. The levels stay until they are solved, also
-  // if a solve fails: a second call goes on where the first one ended.
-  void build(const Target& target, const Monitor& monitor);
-  // The coarsest level that is not solved; null: there is none.
-  const Level* next() const { return levels_.empty() ? nullptr : levels_.back().get(); }
+  const Target& target() const { return target_; }
+  // The coarsest level that is not solved; null: there is none. At first the given grid is halved until a side has less than 128
+  // points, or nothing touches. The levels stay until they are solved, also if a solve fails.
+  const Level* next();
   // The pressures of the level that was solved last, on the next one or on the given grid; nothing if they vanish.
   std::optional<Estimate> estimate() const;
   // The answer of the next level, which is dropped.
@@ -41,10 +41,13 @@ class Pyramid {
     int halvings;         // from the next finer grid
   };
 
+  void build();
   // The coarsest grid that is left.
   const GridProblem& coarsest() const { return levels_.empty() ? given_ : levels_.back()->problem(); }
 
   const GridProblem& given_;
+  const Target target_;
+  const Monitor& monitor_;
   bool built_ = false, building_ = false;
   std::vector<std::unique_ptr<Level>> levels_;  // that are not solved, the finest first
   std::optional<Reached> reached_;

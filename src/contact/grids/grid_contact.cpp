@@ -153,7 +153,7 @@ void GridContact::remember(Finished&& finished, const Choice& by) {
 }
 
 void GridContact::adopt(StepSurface&& given) {
-  const bool same = !problem_.rows().any(problem_.surface.empty() || !same_surface(given, problem_.surface, problem_.team()));
+  const bool same = !problem_.rows().any(problem_.surface.empty() || !same_surface(given, problem_.surface));
   memory_.surface_is(same);
   if (!same) problem_.facts.tilt.reset();
   problem_.surface = std::move(given);

@@ -41,6 +41,13 @@ Start Start::cold() const {
   return start;
 }
 
+Start Start::from(const Memory& copies) const {
+  Start start = *this;
+  start.memory_ = &copies;
+  if (!copies.last.same_gap || !copies.before.same_gap) start.ahead_ = 0;
+  return start;
+}
+
 std::vector<double> Start::extrapolated(const TrialSet& trial) const {
   std::vector<double> p = last().pressures.at(trial);
   if (ahead_ == 0) return p;

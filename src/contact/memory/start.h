@@ -17,6 +17,8 @@ class Start {
   Start(const Memory& memory, const Step& step);
   // The same without earlier steps.
   Start cold() const;
+  // The same from other copies of the earlier steps, or of one or none of them. They must outlive it.
+  Start from(const Memory& copies) const;
 
   bool given() const { return given_.data != nullptr; }  // by the step
   // The last two certified steps; empty if the step may not start from them.

@@ -28,6 +28,24 @@ struct Violations {
 
 bool Certificate::within(double tol) const { return primal <= tol && dual <= tol && complementarity <= tol && control <= tol; }
 
+// The scale follows from the problem alone: an answer must not set the scale that it is judged by. Periodic, load control: in
+// full contact the compression may vanish under any load. The scale is then at least a quarter of mean pressure times
+// length_per_pressure, or what the kernel deflects a cell by if that is less; the library's kernels deflect it by more, if it is
+// up to 100 times as long as wide. Periodic, approach control: gaps under pressure as large as the mean gap would leave the
+// load open, so tol times the scale is half of it at most.
+double residual_scale(const GridProblem& problem, const Target& target, double compression) {
+  const System& system = problem.system;
+  const double mean_pressure = target.value / system.cell_area() / static_cast<double>(system.points());
+  return residual_scale(
+      {.periodic = system.periodic(),
+       .by_load = target.by_load(),
+       .whole = problem.surface.range().whole,
+       .deflected = system.bounds.least_deflection * system.length_per_pressure * mean_pressure,
+       .mean_height = system.periodic() && !target.by_load() ? problem.surface.moments().mean : 0,  // a pass over the surface
+       .tol = problem.options.real(RC_OPT_TOL)},
+      compression);
+}
+
 Certificate certify(const StepSurface& surface, double compression, const Deflected& answer, const Survey& found, double scale,
                     double hardness) {
   const std::span<const double> p = answer.p();

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 
+#include "contact/problem.h"
 #include "contact/proof/survey.h"
 #include "contact/surface/pressures.h"
 #include "contact/surface/step_surface.h"
+#include "contact/target.h"
 
 namespace rc {
 
@@ -19,8 +21,11 @@ struct Certificate {
   double worst() const { return std::max({primal, dual, complementarity, control}); }
 };
 
+// The scale s [length] that residuals of gaps are relative to.
+double residual_scale(const GridProblem& problem, const Target& target, double compression);
+
 // g is the deformed gap, c the hardness, which may be infinite. Excluded points have p = 0 and do not count; points that are not
-// listed have p = 0 and g >= 0. found: of the answer; scale: s [length], see residual_scale.
+// listed have p = 0 and g >= 0. found: of the answer.
 Certificate certify(const StepSurface& surface, double compression, const Deflected& answer, const Survey& found, double scale,
                     double hardness);
 

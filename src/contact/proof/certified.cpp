@@ -195,8 +195,8 @@ Numbers certified_numbers(const GridProblem& problem, const Target& target, cons
     result.bounds = prove_bounds(system, *spectrum, surface, compression, answer, found, asked ? &sets : nullptr);
     if (asked && result.bounds.undecided >= 0 && sets.listed) *proven = std::move(sets);
   }
-  result.certificate =
-      certify(surface, compression, answer, found, residual_scale(target, problem, compression), system.hardness);
+  const double scale = residual_scale(problem, target, compression);
+  result.certificate = certify(surface, compression, answer, found, scale, system.hardness);
   if (target.by_load()) result.certificate.control = load_imbalance(result.load(system), target.value);
   if (std::isnan(result.certificate.dual) || !std::isfinite(result.load(system)) ||
       !std::isfinite(totals.energy * system.cell_area()))

@@ -25,8 +25,7 @@ struct Largest {
 // H p on the trial set, and at least at the points outside it whose gap is below the margin, by a product over all points; of
 // processes each checks its rows. Bounds of round-off also need the largest |H p|.
 Deflected near_surface(const GridProblem& problem, const Answer& answer, double compression, double margin) {
-  GatheredTiles* const gathered = problem.surface.gathered();
-  const StepSurface& own = gathered ? gathered->shared() : problem.surface;
+  const StepSurface& own = problem.surface.own();
   const SurfacePoints& points_of = own.points();
   const Rows& rows = points_of.rows();
   const std::int64_t n = points_of.count(), before = rows.first() * points_of.nx();
@@ -65,7 +64,7 @@ Deflected near_surface(const GridProblem& problem, const Answer& answer, double 
   result.pressures.on.index = rows.joined(std::move(points));
   result.pressures.on.n = static_cast<std::int64_t>(result.pressures.on.index.size());
   result.product = rows.joined(std::move(products));
-  if (gathered) gathered->hold_tiles_of(result.pressures.on.index);
+  problem.surface.hold_tiles_of(result.pressures.on.index);
   result.pressures.p = answer.pressures().at(result.pressures.on);
   if (result.pressures.on.n == problem.system.points()) result.pressures.on.index.clear();
   result.beyond = margin;
@@ -93,12 +92,11 @@ Deflected screened(const GridProblem& problem, const Answer& answer, double comp
   rc_screen request{};
   request.struct_size = sizeof request;
   request.approach = surface.range().limit_of(compression + margin);
-  GatheredTiles* const gathered = surface.gathered();
-  const StepSurface& own = gathered ? gathered->shared() : surface;  // the points that this process checks
+  const StepSurface& own = surface.own();
   request.undeformed_gap = own.gap().array();
   request.mask = own.mask().data();
   const Rows& rows = own.points().rows();
-  if (gathered) {
+  if (surface.gathered()) {
     request.first_row = rows.first();
     request.rows = rows.own(0);
     if (request.rows == 0) {  // this process has none, and checks a row that is far away
@@ -123,13 +121,11 @@ Deflected screened(const GridProblem& problem, const Answer& answer, double comp
     if (request.n_found <= request.room) break;
     request.room = request.n_found;
   }
-  if (gathered) {
-    unite(rows, found, request.n_found);
-    unite(rows, depth, request.n_found);
-    request.n_found = static_cast<std::int64_t>(found.size());
-    gathered->hold_tiles_of(trial.index);
-    gathered->hold_tiles_of(found);
-  }
+  unite(rows, found, request.n_found);
+  unite(rows, depth, request.n_found);
+  request.n_found = static_cast<std::int64_t>(found.size());
+  surface.hold_tiles_of(trial.index);
+  surface.hold_tiles_of(found);
   std::vector<std::size_t> order(static_cast<std::size_t>(request.n_found));
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return found[a] < found[b]; });

@@ -47,27 +47,30 @@ bool pass_over(const GridProblem& problem, const Error& error, Attempt& attempt)
   return true;
 }
 
-Answer answer_of(const GridProblem& problem, const Target& target, const Start& start, const std::optional<Estimate>& nearer,
-                 Pyramid& pyramid, const Attempt& attempt) {
-  SparseContact sparse = nearer ? SparseContact{sparse_contact_near(*nearer, problem, target, attempt), nearer}
-                                : sparse_contact(problem, target, start, pyramid, attempt);
-  if (sparse.answer) return std::move(*sparse.answer);
-  return whole_contact(problem, target, start, attempt, std::move(sparse.instead));
-}
-
 Finished solve_and_certify(const GridProblem& problem, const Memory& memory, const Step& step, const Outputs& outputs,
                            const std::optional<Estimate>& nearer, Attempt& attempt) {
   const Target& target = step.target;
   if (!target.touches(problem.surface)) return certified_result(problem, target, {}, attempt, outputs);
-  if (std::optional<Finished> sparse = sparse_by_rows(problem, memory, step, attempt, outputs)) return std::move(*sparse);
   const Start start(memory, step);
-  Pyramid pyramid(problem);
+  std::optional<Choice> few;
+  if (!start.given()) few = choose_for_few(problem, target.control);
+  if (problem.rows().shared()) {
+    if (std::optional<Finished> all = sparse_by_rows(problem, target, start, few, attempt, outputs)) return std::move(*all);
+    few.reset();
+  }
+  Pyramid pyramid(problem, target, attempt.monitor);
+  const auto solved = [&]() -> Answer {
+    SparseContact sparse{{}, nearer};
+    if (few && nearer) sparse.answer = sparse_contact_near(*nearer, problem, target, *few, attempt);
+    if (few && !nearer) sparse = sparse_contact(problem, target, start, *few, pyramid, attempt);
+    if (sparse.answer) return std::move(*sparse.answer);
+    return whole_contact(problem, target, start, attempt, std::move(sparse.instead));
+  };
   std::optional<Error> first;         // why "auto" passed over the first backend
   std::optional<Finished> delivered;  // an answer that is not certified: the caller's arrays hold it if nothing better follows
   for (;;) {
     try {
-      Answer answer = answer_of(problem, target, start, nearer, pyramid, attempt);
-      Finished found = certified_result(problem, target, std::move(answer), attempt, outputs);
+      Finished found = certified_result(problem, target, solved(), attempt, outputs);
       const rc_status status = found.numbers.status;
       const bool hopeless = status == RC_STOP_STALLED || status == RC_UNCERTIFIED;
       const std::string reason = hopeless ? join("which ended with: ", rc_status_text(status)) : "";

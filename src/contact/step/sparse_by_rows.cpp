@@ -15,13 +15,13 @@ namespace rc {
 namespace {
 
 // Whether all processes have the same components for it: one may lack a plugin.
-bool all_can(const GridProblem& problem, std::int32_t control) {
+bool all_have(const std::optional<Choice>& few, const GridProblem& problem) {
   struct Names {
     char solver[64] = "", backend[64] = "";
   } mine;
-  if (const std::optional<Choice> choice = choose_for_few(problem, control)) {
-    std::snprintf(mine.solver, sizeof mine.solver, "%s", choice->solver->name);
-    std::snprintf(mine.backend, sizeof mine.backend, "%s", choice->backend->name);
+  if (few) {
+    std::snprintf(mine.solver, sizeof mine.solver, "%s", few->solver->name);
+    std::snprintf(mine.backend, sizeof mine.backend, "%s", few->backend->name);
   }
   const std::vector<Names> all = problem.rows().ranks()->of_each(mine);
   return all.front().solver[0] != 0 && std::all_of(all.begin(), all.end(), [&](const Names& each) {
@@ -70,16 +70,17 @@ double write_gap(const GridProblem& problem, const Finished& mine, const Attempt
 
 }  // namespace
 
-std::optional<Finished> sparse_by_rows(const GridProblem& problem, const Memory& memory, const Step& step, const Attempt& attempt,
-                                       const Outputs& outputs) {
+std::optional<Finished> sparse_by_rows(const GridProblem& problem, const Target& target, const Start& start,
+                                       const std::optional<Choice>& few, const Attempt& attempt, const Outputs& outputs) {
   const Rows& rows = problem.rows();
-  if (!rows.shared() || step.p0.data || !all_can(problem, step.target.control)) return std::nullopt;
+  if (start.given() || !all_have(few, problem)) return std::nullopt;
   const rc_system& system = problem.system.given;
-  const std::int64_t contacts = step.warm ? contacts_of(memory.last, problem) : 0;
-  const double before = step.target.by_load() ? memory.last.load : memory.last.approach;
-  const auto sparse = [&](std::int64_t n) { return few(n, problem.system.points(), problem.system.periodic()); };
-  const bool older_sparse = step.warm && sparse(contacts_of(memory.before, problem));
-  if (contacts > 0 && !sparse(contacts) && memory.last.same_gap && step.target.value >= before) return std::nullopt;  // denser
+  const CertifiedStep& last = start.last();
+  const std::int64_t contacts = contacts_of(last, problem);
+  const double before = target.by_load() ? last.load : last.approach;
+  const auto sparse = [&](std::int64_t n) { return are_few(n, problem.system.points(), problem.system.periodic()); };
+  const bool older_sparse = sparse(contacts_of(start.before(), problem));
+  if (contacts > 0 && !sparse(contacts) && last.same_gap && target.value >= before) return std::nullopt;  // denser
   std::optional<double>& tilt = problem.facts.tilt;
   if (!tilt) tilt = plane_share(problem.surface, system.nx, system.ny, problem.system.periodic());
 
@@ -91,11 +92,11 @@ std::optional<Finished> sparse_by_rows(const GridProblem& problem, const Memory&
     if (problem.system.periodic()) all->operators().multiply_by(problem.operators());
     all->surface = StepSurface(problem.surface, problem.team());
     Memory known;
-    if (sparse(contacts)) known.last = gathered(memory.last, problem);
-    if (older_sparse) known.before = gathered(memory.before, problem);
-    Pyramid pyramid(*all);
-    if (std::optional<Answer> answer = sparse_contact(*all, step.target, {known, step}, pyramid, attempt).answer)
-      finished = certified_result(*all, step.target, std::move(*answer), attempt, {});
+    if (sparse(contacts)) known.last = gathered(last, problem);
+    if (older_sparse) known.before = gathered(start.before(), problem);
+    Pyramid pyramid(*all, target, attempt.monitor);
+    if (std::optional<Answer> answer = sparse_contact(*all, target, start.from(known), *few, pyramid, attempt).answer)
+      finished = certified_result(*all, target, std::move(*answer), attempt, {});
   });
   if (!finished || finished->numbers.status == RC_STOP_STALLED || finished->numbers.status == RC_UNCERTIFIED) return std::nullopt;
 

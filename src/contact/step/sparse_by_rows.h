@@ -11,9 +11,9 @@
 
 namespace rc {
 
-// Nothing if the process is alone, contact is not sparse, or the options leave no backend for it. The pressures are those
-// of this process's rows.
-std::optional<Finished> sparse_by_rows(const GridProblem& problem, const Memory& memory, const Step& step, const Attempt& attempt,
-                                       const Outputs& outputs);
+// few: of choose_for_few. Nothing if contact is not sparse, or a process lacks these components. The pressures are those of this
+// process's rows.
+std::optional<Finished> sparse_by_rows(const GridProblem& problem, const Target& target, const Start& start,
+                                       const std::optional<Choice>& few, const Attempt& attempt, const Outputs& outputs);
 
 }  // namespace rc

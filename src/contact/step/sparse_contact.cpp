@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "contact/operators.h"
-#include "contact/sparse/region.h"
 #include "contact/sparse/screening.h"
 #include "contact/step/trial.h"
 #include "contact/step/whole_contact.h"
@@ -25,16 +24,51 @@ constexpr std::int64_t compact = 16;            // boxes of at most 1/compact of
 constexpr std::int64_t most_compact = 1 << 20;  // points of such a box that every process solves alike
 
 bool at_few(const Pressures& contact, const GridProblem& problem) {
-  return few(contact.contacts(), problem.system.points(), problem.operators().multiply_by_rows());
+  return are_few(contact.contacts(), problem.system.points(), problem.operators().multiply_by_rows());
 }
 
 // Every point that the approach can reach, if these lie in a small part of the grid; else nothing.
 TrialSet reachable(const GridProblem& problem, double limit) {
   if (!problem.system.positive) return {};
-  const std::int64_t box = extent_below(limit, problem.surface).box();
-  if (problem.surface.gathered() && box > most_compact) return {};
-  return compact * box > problem.system.points() ? TrialSet{} : points_below(limit, problem.surface);
+  const std::int64_t most = problem.system.points() / compact;
+  return points_below(limit, problem.surface, problem.surface.gathered() ? std::min(most, most_compact) : most);
 }
+
+// Unknowns: points by themselves, or those of tiles. Their numbers are ascending.
+class Region {
+ public:
+  Region(const StepSurface& surface, bool of_tiles) : surface_(surface), of_tiles_(of_tiles) {}
+
+  // Returns whether any of the points is new to it.
+  bool add(const std::vector<std::int64_t>& points) {
+    const std::size_t before = members_.size();
+    for (const std::int64_t point : points) {
+      const std::int64_t member = of_tiles_ ? surface_.tiles().of(point) : point;
+      if (members_.empty() || members_.back() != member) members_.push_back(member);
+    }
+    std::sort(members_.begin(), members_.end());
+    members_.erase(std::unique(members_.begin(), members_.end()), members_.end());
+    return members_.size() > before;
+  }
+  // Of tiles, the points with a gap below the limit.
+  TrialSet below(double limit) const {
+    if (!of_tiles_) return {static_cast<std::int64_t>(members_.size()), members_};
+    TrialSet trial;
+    surface_.hold(members_);
+    for (const std::int64_t tile : members_)
+      surface_.each_below_in(tile, limit, [&](std::int64_t point) { trial.index.push_back(point); });
+    std::sort(trial.index.begin(), trial.index.end());
+    trial.n = static_cast<std::int64_t>(trial.index.size());
+    if (trial.n == surface_.points().count()) trial.index.clear();
+    return trial;
+  }
+  bool of_tiles() const { return of_tiles_; }
+
+ private:
+  const StepSurface& surface_;
+  const bool of_tiles_;
+  std::vector<std::int64_t> members_;
+};
 
 // Points that carry pressure, or have a small gap, under an estimate.
 std::vector<std::int64_t> points_under(const GridProblem& problem, const Estimate& estimate, const Choice& choice) {
@@ -71,7 +105,7 @@ std::optional<Answer> solve_near(Estimate estimate, const GridProblem& problem, 
   const StepSurface& surface = problem.surface;
   const bool by_load = target.by_load();
   const double lowest = surface.lowest();
-  Region region(problem, screens(choice));
+  Region region(surface, screens(choice));
   for (int round = 0;; ++round) {
     const double compression = estimate.approach - lowest;
     if (!(compression > 0) || estimate.pressures.empty()) return std::nullopt;
@@ -103,8 +137,7 @@ std::optional<Answer> solve_near(Estimate estimate, const GridProblem& problem, 
     const double contacts = static_cast<double>(estimate.pressures.contacts());
     const double margin = std::min(halo, 30 * problem.options.real(RC_OPT_TOL) * std::sqrt(contacts)) * compression;
     Deflected all = screened(problem, answer, answer.compression, margin);
-    const std::vector<std::int64_t> more =
-        overlapping(problem, all, answer.compression, residual_scale(target, problem, answer.compression));
+    const std::vector<std::int64_t> more = overlapping(problem, all, answer.compression, trial.scale(answer.compression));
     // A larger approach reaches more points of the same tiles: they are unknowns of the next round.
     const bool wider = region.add(more) || (region.of_tiles() && !within);
     if (more.empty() || last || !wider) {
@@ -155,8 +188,8 @@ enum class Levels {
 };
 
 // The estimate from coarser grids: solves the levels of the pyramid that are left, each from the one before.
-std::optional<Estimate> coarse_estimate(Pyramid& pyramid, const Target& target, Levels levels, const Attempt& attempt) {
-  pyramid.build(target, attempt.monitor);
+std::optional<Estimate> coarse_estimate(Pyramid& pyramid, Levels levels, const Attempt& attempt) {
+  const Target& target = pyramid.target();
   while (const Level* const level = pyramid.next()) {
     const GridProblem& grid = level->problem();
     Monitor watch = attempt.monitor.silent();
@@ -178,11 +211,8 @@ std::optional<Estimate> coarse_estimate(Pyramid& pyramid, const Target& target, 
 
 }  // namespace
 
-SparseContact sparse_contact(const GridProblem& problem, const Target& target, const Start& start, Pyramid& pyramid,
-                             const Attempt& attempt) {
-  if (start.given() || problem.rows().shared()) return {};
-  const std::optional<Choice> choice = choose_for_few(problem, target.control);
-  if (!choice) return {};
+SparseContact sparse_contact(const GridProblem& problem, const Target& target, const Start& start, const Choice& few,
+                             Pyramid& pyramid, const Attempt& attempt) {
   const bool passed_over = !attempt.failed.empty();  // the choice may be what failed
   std::optional<Estimate> estimate;
   if (!passed_over) estimate = last_estimate(problem, target, start);
@@ -192,18 +222,17 @@ SparseContact sparse_contact(const GridProblem& problem, const Target& target, c
       pyramid.give_up();
       return {};
     }
-    estimate = coarse_estimate(pyramid, target, far ? Levels::whole : Levels::while_few, attempt);
+    estimate = coarse_estimate(pyramid, far ? Levels::whole : Levels::while_few, attempt);
     if (!estimate) return {};
     if (estimate->dense || passed_over) return {{}, far ? std::move(estimate) : std::nullopt};
   }
-  return {solve_near(std::move(*estimate), problem, target, *choice, attempt), {}};
+  return {solve_near(std::move(*estimate), problem, target, few, attempt), {}};
 }
 
 std::optional<Answer> sparse_contact_near(const Estimate& estimate, const GridProblem& problem, const Target& target,
-                                          const Attempt& attempt) {
-  const std::optional<Choice> choice = choose_for_few(problem, target.control);
-  if (!choice || !attempt.failed.empty() || !at_few(estimate.pressures, problem)) return std::nullopt;
-  return solve_near(estimate, problem, target, *choice, attempt);
+                                          const Choice& few, const Attempt& attempt) {
+  if (!attempt.failed.empty() || !at_few(estimate.pressures, problem)) return std::nullopt;
+  return solve_near(estimate, problem, target, few, attempt);
 }
 
 }  // namespace rc

@@ -21,11 +21,11 @@ struct SparseContact {
   std::optional<Estimate> instead;  // a start for the whole grid, if coarser grids have found dense contact
 };
 
-// pyramid: of this step and grid.
-SparseContact sparse_contact(const GridProblem& problem, const Target& target, const Start& start, Pyramid& pyramid,
-                             const Attempt& attempt);
+// few: of choose_for_few; pyramid: of this step and grid.
+SparseContact sparse_contact(const GridProblem& problem, const Target& target, const Start& start, const Choice& few,
+                             Pyramid& pyramid, const Attempt& attempt);
 // From the estimate of an accuracy goal's coarser grid.
 std::optional<Answer> sparse_contact_near(const Estimate& estimate, const GridProblem& problem, const Target& target,
-                                          const Attempt& attempt);
+                                          const Choice& few, const Attempt& attempt);
 
 }  // namespace rc

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "contact/operators.h"
+#include "contact/proof/certificate.h"
 #include "contact/step/services.h"
-#include "contact/surface/points_below.h"
 #include "contact/surface/trial_box.h"
 
 namespace rc {
@@ -24,10 +24,9 @@ TrialSet widened(TrialSet trial, const Choice& choice, const GridProblem& proble
 
 // The dimensionless u = (datum - gap) / unit; empty if the solver reads the gap itself.
 std::vector<double> penetrations(const Answer& answer, double datum, const GridProblem& problem) {
-  GatheredTiles* const gathered = problem.surface.gathered();
-  if (!gathered && problem.system.halfspace() && takes_gap(*answer.choice.solver, problem.options)) return {};
+  if (!problem.surface.gathered() && problem.system.halfspace() && takes_gap(*answer.choice.solver, problem.options)) return {};
   const TrialSet& trial = answer.op->trial();
-  if (gathered) gathered->hold_tiles_of(trial.index);
+  problem.surface.hold_tiles_of(trial.index);
   std::vector<double> u(static_cast<std::size_t>(trial.n));
   for (std::size_t i = 0; i < u.size(); ++i)
     u[i] = (datum - problem.surface.gap_at(static_cast<std::size_t>(trial.point(static_cast<std::int64_t>(i))))) /
@@ -36,11 +35,6 @@ std::vector<double> penetrations(const Answer& answer, double datum, const GridP
 }
 
 }  // namespace
-
-TrialSet trial_below(double limit, const GridProblem& problem) {
-  if (problem.rows().shared()) return {problem.own_points(), {}};
-  return problem.system.positive ? points_below(limit, problem.surface) : included_points(problem.surface);
-}
 
 Trial::Trial(const GridProblem& problem, const Target& target, TrialSet set, double unit, const Attempt& attempt,
              std::optional<Choice> choice)
@@ -68,12 +62,13 @@ void Trial::start(const Start& from, const Pressures* nearer) {
 
 double Trial::load() const { return target_.by_load() ? target_.value / problem_.system.cell_area() / answer.units.pressure : 0; }
 
+double Trial::scale(double compression) const { return residual_scale(problem_, target_, compression); }
+
 // The tolerance is a little less than that of the step, because the certificate's product rounds differently.
 void Trial::solve(double first) {
   const bool by_load = target_.by_load();
   const double unit = answer.units.length, datum = by_load ? problem_.surface.lowest() : target_.value;
-  const double scale = by_load ? 1 : residual_scale(target_, problem_, unit) / unit;
-  const double tol = 0.98 * problem_.options.real(RC_OPT_TOL) * scale;
+  const double tol = 0.98 * problem_.options.real(RC_OPT_TOL) * (by_load ? 1 : scale(unit) / unit);
   const std::vector<double> u = penetrations(answer, datum, problem_);
   SolverRun run(problem_, answer, attempt_, follows_ ? &answer.history : nullptr);
   double d = by_load ? first : 0;

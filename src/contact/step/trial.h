@@ -29,7 +29,8 @@ class Trial {
   void solve(double first = 0);
 
   const TrialSet& set() const { return set_; }
-  double load() const;  // dimensionless; 0 if the approach is prescribed
+  double load() const;                     // dimensionless; 0 if the approach is prescribed
+  double scale(double compression) const;  // [length] that residuals are relative to
   Answer answer;
 
  private:
@@ -39,9 +40,5 @@ class Trial {
   const Attempt& attempt_;
   bool follows_ = false;
 };
-
-// Points that may carry pressure if only points with gap < limit can be in contact; all, if H has negative entries. By rows:
-// every point of this process.
-TrialSet trial_below(double limit, const GridProblem& problem);
 
 }  // namespace rc

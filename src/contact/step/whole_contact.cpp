@@ -37,6 +37,13 @@ double approach_estimate(double load, bool warm, const GridProblem& problem, con
   return std::min(foretold, bed_margin * bearing_height(load / (s.modulus * std::sqrt(s.hx) * std::sqrt(s.hy)), problem.surface));
 }
 
+// Points that may carry pressure if only points with gap < limit can be in contact; all, if H has negative entries. By rows:
+// every point of this process.
+TrialSet trial_below(double limit, const GridProblem& problem) {
+  if (problem.rows().shared()) return {problem.own_points(), {}};
+  return problem.system.positive ? points_below(limit, problem.surface) : included_points(problem.surface);
+}
+
 // Newton's method on the load, which is a continuous, increasing, piecewise linear function of the approach; its slope is that of
 // the points at hand whose pressure is free. Steps outside the bracket are replaced by bisection and, if a cap keeps the load
 // from being convex, those after one that left more than half of the missing load, too. All in dimensionless units; the

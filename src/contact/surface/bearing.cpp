@@ -5,7 +5,6 @@
 #include <roughcontact/plugin.hpp>
 #include <vector>
 
-#include "contact/surface/points_below.h"
 #include "core/start_terms.h"
 
 namespace rc {
@@ -74,7 +73,7 @@ double bearing_height(double target, const StepSurface& surface) {
     const auto count = static_cast<std::int64_t>(parts.size()), tile_rows = surface.tiles().rows();
     roughcontact::for_each(points.team(), count, count > 1, [&](std::int64_t part, std::int64_t) {
       for (std::int64_t row = part * tile_rows / count; row < (part + 1) * tile_rows / count; ++row)
-        visit_below(surface.range().limit_of(range), surface, row, [&](std::int64_t point, std::int64_t, std::int64_t) {
+        surface.each_below(surface.range().limit_of(range), row, [&](std::int64_t point, std::int64_t, std::int64_t) {
           const double exact = surface.height(static_cast<std::size_t>(point));
           parts[static_cast<std::size_t>(part)].add(exact_sums ? std::floor(exact / range * fine) : exact);
         });

@@ -1,6 +1,5 @@
 #include "contact/surface/points_below.h"
 
-#include <roughcontact/plugin.hpp>
 #include <utility>
 #include <vector>
 
@@ -11,10 +10,8 @@ namespace rc {
 
 namespace {
 
-// Adds the points with gap < limit in columns begin .. end-1 of row y. gap: of that row.
-template <class Value>
-void add_below(double limit, const Value* gap, std::int64_t begin, std::int64_t end, std::int64_t y, Extent& extent) {
-  const auto below = [&](std::int64_t x) { return static_cast<double>(gap[x]) < limit; };
+// Adds the points of row y that are below the limit, in columns begin .. end-1. below(x): whether one is.
+template <class Below> void add_below(const Below& below, std::int64_t begin, std::int64_t end, std::int64_t y, Extent& extent) {
   std::int64_t n = 0;
   for (std::int64_t x = begin; x < end; ++x) n += below(x);
   if (n == 0) return;
@@ -30,30 +27,28 @@ std::vector<Extent> extents_below(double limit, const StepSurface& surface) {
   const TileLows& tiles = surface.tiles();
   const std::int64_t columns = tiles.columns(), nx = tiles.nx;
   std::vector<Extent> rows(static_cast<std::size_t>(tiles.rows()));
-  const auto unmasked = [&](std::int64_t row, Extent& extent) {
+  surface.points().each(tiles.rows(), [&](std::int64_t row) {
     surface.gap().visit([&](const auto* gap) {
       for (std::int64_t y = row * tile; y < std::min((row + 1) * tile, tiles.ny); ++y)
-        for (std::int64_t column = 0; column < columns; ++column)
-          if (tiles.lowest[static_cast<std::size_t>(row * columns + column)] < limit)
-            add_below(limit, gap + y * nx, column * tile, std::min((column + 1) * tile, nx), y, extent);
+        for (std::int64_t column = 0; column < columns; ++column) {
+          if (!(tiles.lowest[static_cast<std::size_t>(row * columns + column)] < limit)) continue;
+          const auto* const of_row = gap + y * nx;
+          const std::uint8_t* const mask = surface.mask().empty() ? nullptr : surface.mask().data() + y * nx;
+          const auto below = [&](std::int64_t x) { return static_cast<double>(of_row[x]) < limit; };
+          const auto included_below = [&](std::int64_t x) { return below(x) && mask[x] != 0; };
+          const std::int64_t begin = column * tile, end = std::min(begin + tile, nx);
+          Extent& extent = rows[static_cast<std::size_t>(row)];
+          mask ? add_below(included_below, begin, end, y, extent) : add_below(below, begin, end, y, extent);
+        }
     });
-  };
-  const SurfacePoints& points = surface.points();
-  roughcontact::for_each(points.team(), tiles.rows(), points.threaded(), [&](std::int64_t row, std::int64_t) {
-    Extent& extent = rows[static_cast<std::size_t>(row)];
-    if (surface.mask().empty()) return unmasked(row, extent);
-    visit_below(limit, surface, row, [&](std::int64_t, std::int64_t x, std::int64_t y) { extent.add(x, y); });
   });
   return rows;
 }
 
-}  // namespace
-
-Extent extent_below(double limit, const StepSurface& surface) {
-  if (const GatheredTiles* const gathered = surface.gathered()) return extent_below(limit, gathered->shared());
-  const Rows& rows = surface.points().rows();
+// Of all processes.
+Extent united(const std::vector<Extent>& tile_rows, const Rows& rows) {
   Extent extent;
-  for (const Extent& row : extents_below(limit, surface)) extent = extent + row;
+  for (const Extent& row : tile_rows) extent = extent + row;
   if (extent.n > 0) {
     extent.low += rows.first();
     extent.high += rows.first();
@@ -61,49 +56,44 @@ Extent extent_below(double limit, const StepSurface& surface) {
   return rows.united(extent);
 }
 
-TrialSet points_below(double limit, const StepSurface& surface) {
+// The points of all processes, whose tiles are held from here on.
+TrialSet gathered(const TrialSet& own, const StepSurface& surface) {
+  const SurfacePoints& points = surface.own().points();
+  std::vector<std::int64_t> mine(static_cast<std::size_t>(own.n));
+  for (std::int64_t i = 0; i < own.n; ++i) mine[static_cast<std::size_t>(i)] = own.point(i) + points.rows().first() * points.nx();
+  TrialSet all;
+  all.index = points.rows().joined(std::move(mine));
+  all.n = static_cast<std::int64_t>(all.index.size());
+  surface.hold_tiles_of(all.index);
+  return all;
+}
+
+}  // namespace
+
+Extent extent_below(double limit, const StepSurface& surface) {
+  const StepSurface& own = surface.own();
+  return united(extents_below(limit, own), own.points().rows());
+}
+
+TrialSet points_below(double limit, const StepSurface& surface, std::int64_t most_box) {
+  const StepSurface& own = surface.own();
+  const SurfacePoints& points = own.points();
+  const std::vector<Extent> rows = extents_below(limit, own);
+  if (most_box < any_box && united(rows, points.rows()).box() > most_box) return {};
   TrialSet trial;
-  if (GatheredTiles* const gathered = surface.gathered()) {
-    const StepSurface& shared = gathered->shared();
-    const Rows& rows = shared.points().rows();
-    const TrialSet own = points_below(limit, shared);
-    std::vector<std::int64_t> mine(static_cast<std::size_t>(own.n));
-    for (std::int64_t i = 0; i < own.n; ++i)
-      mine[static_cast<std::size_t>(i)] = own.point(i) + rows.first() * shared.points().nx();
-    trial.index = rows.joined(std::move(mine));
-    trial.n = static_cast<std::int64_t>(trial.index.size());
-    gathered->hold_tiles_of(trial.index);
-    return trial;
-  }
-  const std::vector<Extent> rows = extents_below(limit, surface);
-  const SurfacePoints& points = surface.points();
   std::vector<std::int64_t> begin;
   for (const Extent& row : rows) {
     begin.push_back(trial.n);
     trial.n += row.n;
   }
-  if (trial.n == points.count()) return trial;
-  trial.index = large_vector<std::int64_t>(static_cast<std::size_t>(trial.n));
-  const auto n_rows = static_cast<std::int64_t>(rows.size());
-  roughcontact::for_each(points.team(), n_rows, points.threaded(), [&](std::int64_t row, std::int64_t) {
-    std::int64_t* to = trial.index.data() + begin[static_cast<std::size_t>(row)];
-    visit_below(limit, surface, row, [&](std::int64_t point, std::int64_t, std::int64_t) { *to++ = point; });
-  });
-  return trial;
-}
-
-TrialSet points_below(double limit, const StepSurface& surface, std::span<const std::int64_t> tiles) {
-  TrialSet trial;
-  if (GatheredTiles* const gathered = surface.gathered()) gathered->hold(tiles);
-  for (const std::int64_t each : tiles)
-    surface.tiles().each_point(each, [&](std::int64_t point) {
-      if (surface.included(static_cast<std::size_t>(point)) && surface.gap_at(static_cast<std::size_t>(point)) < limit)
-        trial.index.push_back(point);
+  if (trial.n < points.count()) {
+    trial.index = large_vector<std::int64_t>(static_cast<std::size_t>(trial.n));
+    points.each(static_cast<std::int64_t>(rows.size()), [&](std::int64_t row) {
+      std::int64_t* to = trial.index.data() + begin[static_cast<std::size_t>(row)];
+      own.each_below(limit, row, [&](std::int64_t point, std::int64_t, std::int64_t) { *to++ = point; });
     });
-  std::sort(trial.index.begin(), trial.index.end());
-  trial.n = static_cast<std::int64_t>(trial.index.size());
-  if (trial.n == surface.points().count()) trial.index.clear();
-  return trial;
+  }
+  return surface.gathered() ? gathered(trial, surface) : trial;
 }
 
 TrialSet included_points(const StepSurface& surface) { return points_below(infinite, surface); }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <roughcontact/plugin.hpp>
 
 #include "core/error.h"
 #include "core/grid.h"
@@ -77,7 +76,7 @@ StepSurface::StepSurface(const GivenSurface& given, const rc_team& team, const R
     gap_ = given.borrowed ? given.gap : given.gap.in_single() ? own(own_single_gap_) : own(own_gap_);
     if (!given.mask.empty()) mask_ = given.borrowed ? given.mask : own_mask_;
   });
-  roughcontact::for_each(team, tile_rows, points_.threaded(), [&](std::int64_t row, std::int64_t) {
+  points_.each(tile_rows, [&](std::int64_t row) {
     Summary& summary = summaries[static_cast<std::size_t>(row)];
     for (std::int64_t y = row * tile; y < std::min((row + 1) * tile, given.ny); ++y) {
       if (own_gap_) std::copy_n(given.gap.in_double() + y * nx, nx, own_gap_.get() + y * nx);
@@ -136,7 +135,7 @@ rc_const_array StepSurface::gap_for_solver(bool takes_single) const {
 }
 
 const HeightMoments& StepSurface::moments() const {
-  if (gathered_) return gathered_->shared().moments();
+  if (gathered_) return own().moments();
   if (!moments_) moments_ = moments_of(*this);
   return *moments_;
 }
@@ -146,14 +145,14 @@ double GapRange::limit_of(double height) const {
   return limit - lowest < height ? std::nextafter(limit, infinite) : limit;
 }
 
-bool same_surface(const StepSurface& a, const StepSurface& b, const rc_team& team) {
+bool same_surface(const StepSurface& a, const StepSurface& b) {
   if (a.gap().is_array_of(b.gap()) && a.mask().data() == b.mask().data()) return true;
   if (a.gap().size() != b.gap().size() || a.mask().size() != b.mask().size() || a.lowest() != b.lowest() ||
       a.tiles().lowest != b.tiles().lowest)
     return false;
   const std::int64_t nx = a.tiles().nx, ny = a.tiles().ny;
   std::vector<std::uint8_t> differs(static_cast<std::size_t>(ny), 0);
-  roughcontact::for_each(team, ny, a.points().threaded(), [&](std::int64_t y, std::int64_t) {
+  a.points().each(ny, [&](std::int64_t y) {
     for (auto i = static_cast<std::size_t>(y * nx); i < static_cast<std::size_t>((y + 1) * nx); ++i)
       if (a.included(i) != b.included(i) || (a.included(i) && a.gap()[i] != b.gap()[i])) {
         differs[static_cast<std::size_t>(y)] = 1;

@@ -1,6 +1,7 @@
 // The undeformed gap of the current step, and which points of it count.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -56,6 +57,15 @@ class StepSurface {
   const TileLows& tiles() const { return tiles_; }
   // Null, or the tiles of it that this process has.
   GatheredTiles* gathered() const { return gathered_.get(); }
+  // The points that this process itself looks at: all, or those of its rows of a surface whose tiles it gathers.
+  const StepSurface& own() const { return gathered_ ? gathered_->shared() : *this; }
+  // Before the gap is read at a list of points, or in a list of tiles: gathers those tiles if it must.
+  void hold_tiles_of(std::span<const std::int64_t> points) const {
+    if (gathered_) gathered_->hold_tiles_of(points);
+  }
+  void hold(std::span<const std::int64_t> tiles) const {
+    if (gathered_) gathered_->hold(tiles);
+  }
 
   const GapValues& gap() const { return gap_; }
   std::span<const std::uint8_t> mask() const { return mask_; }  // its data are null if it is empty
@@ -66,6 +76,15 @@ class StepSurface {
   double lowest() const { return range_.lowest; }
   const GapRange& range() const { return range_; }
   const HeightMoments& moments() const;  // computed when first asked for
+
+  // The points with gap < limit in one row of this process's tiles, row by row: act(point, x, y).
+  template <class Act> void each_below(double limit, std::int64_t tile_row, const Act& act) const;
+  // Those of one tile, which is held: act(point).
+  template <class Act> void each_below_in(std::int64_t tile, double limit, const Act& act) const {
+    tiles_.each_point(tile, [&](std::int64_t point) {
+      if (const auto i = static_cast<std::size_t>(point); included(i) && gap_at(i) < limit) act(point);
+    });
+  }
 
   // The gap that a solver reads. One that takes 4 bytes a point gets it as it is, but by rows far above all others where the mask
   // is 0. All others get 8 bytes a point, of a copy if the gap has 4, which is made when first asked for.
@@ -90,8 +109,25 @@ class StepSurface {
   GapValues filled_;
 };
 
+template <class Act> void StepSurface::each_below(double limit, std::int64_t tile_row, const Act& act) const {
+  constexpr std::int64_t tile = TileLows::side;
+  const std::int64_t columns = tiles_.columns(), nx = tiles_.nx;
+  for (std::int64_t y = tile_row * tile; y < std::min((tile_row + 1) * tile, tiles_.ny); ++y)
+    for (std::int64_t column = 0; column < columns; ++column) {
+      if (!(tiles_.lowest[static_cast<std::size_t>(tile_row * columns + column)] < limit)) continue;
+      std::int64_t found[tile], n = 0;  // listed without a branch, which would be foreseen wrongly
+      gap_.visit([&](const auto* gap) {
+        for (std::int64_t x = column * tile; x < std::min((column + 1) * tile, nx); ++x) {
+          found[n] = x;
+          n += static_cast<double>(gap[y * nx + x]) < limit && included(static_cast<std::size_t>(y * nx + x));
+        }
+      });
+      for (std::int64_t k = 0; k < n; ++k) act(y * nx + found[k], found[k], y);
+    }
+}
+
 // Whether gap and mask are the same; NaN under the mask counts as equal.
-bool same_surface(const StepSurface& a, const StepSurface& b, const rc_team& team);
+bool same_surface(const StepSurface& a, const StepSurface& b);
 // The heights of entries first .. first+n-1 of a trial set.
 void heights_of(const TrialSet& trial, const StepSurface& surface, std::size_t first, std::size_t n, double* to);
 

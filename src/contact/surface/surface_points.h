@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <roughcontact/plugin.hpp>
 #include <span>
 #include <vector>
 
@@ -24,6 +25,11 @@ class SurfacePoints {
   const Rows& rows() const { return rows_; }
   Chunks chunks() const { return Chunks::of(rows_.ranks(), nx_); }
   bool threaded() const { return n_ > 64 * 64; }  // with fewer points threads would cost more than they save
+
+  // act(i) for i = 0 .. n-1, which share these points, by threads if that pays.
+  template <class Act> void each(std::int64_t n, const Act& act) const {
+    roughcontact::for_each(team(), n, threaded(), [&](std::int64_t i, std::int64_t) { act(i); });
+  }
 
   // The sum of what add(part, entry) adds for entries 0 .. n-1, by pieces of a fixed size: of entries, or of rows that ranks
   // share. entry(k): its point, ascending with k.

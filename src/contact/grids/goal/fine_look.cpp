@@ -74,7 +74,9 @@ std::optional<Numbers> AccuracyGoal::look(GridContact& given, const Step& step, 
   rc_status ended = RC_OK;
   const Attempt attempt{.monitor = monitor, .warm = step.warm, .look = look_steps};
   try {
-    std::optional<Answer> sparse = sparse_contact_near(*found.estimate, problem, at, attempt);
+    std::optional<Answer> sparse;
+    if (const std::optional<Choice> few = choose_for_few(problem, at.control))
+      sparse = sparse_contact_near(*found.estimate, problem, at, *few, attempt);
     answer = sparse ? std::move(*sparse) : whole_contact(problem, at, {}, attempt, found.estimate);
     if (std::any_of(answer.p.begin(), answer.p.end(), [](double p) { return p < 0; })) answer.checked.reset();
     for (double& p : answer.p) p = std::max(0.0, p);
