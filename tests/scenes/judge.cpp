@@ -164,6 +164,11 @@ Verdict judge_intervals(const Case& c, const Surface& surface, const StepAnswer&
            std::to_string(r.undecided));
   need(r.proven_capped <= exact.capped_possible,
        std::to_string(exact.capped_possible) + " points at the hardness, proven " + std::to_string(r.proven_capped));
+  for (std::size_t i = 0; !std::isnan(r.gap_error) && i < exact.w.size(); ++i) {
+    const Real off = std::abs(static_cast<Real>(answer.gap[i]) - exact.w[i]);
+    need(!surface.included(i) || off <= static_cast<Real>(r.gap_error) + 2 * product_noise(c, surface, answer),
+         "the gap is off by " + number(off) + ", proven are " + number(r.gap_error));
+  }
   if (!std::isnan(r.duality_gap)) {
     const Real least = exact.functional * cell, noise = product_noise(c, surface, answer) * static_cast<Real>(r.load),
                room = noise + 1e-12L * std::abs(least) + 1e-9L * static_cast<Real>(r.duality_gap);

@@ -37,6 +37,7 @@ std::span<const Kind> properties_of_steps();
 std::span<const Kind> properties_of_sequences();
 std::span<const Kind> properties_of_slopes();
 std::span<const Kind> properties_of_laws();
+std::span<const Kind> properties_of_flows();  // where libroughcontact-flow is built
 
 /** A text with a number for failures. */
 inline std::string number(Real value) { return pairs::text(static_cast<double>(value)); }

@@ -189,7 +189,10 @@ class InBounds final : public OfSteps {
     if (!exact.usable() || exact.sum == 0) return false;
     const Real load = exact.sum * static_cast<Real>(c.scene().cell_area());
     if (exact.error * static_cast<Real>(exact.p.size()) > 1e-8L * exact.sum) return false;
-    switch (random.below(3)) {
+    switch (random.below(4)) {
+      case 3:
+        for (double& gap : kept_[k].gap) gap += 2.1 * r.gap_error + 1e-9 * std::abs(r.approach);
+        return !std::isnan(r.gap_error) && exact.worth == Worth::exact;
       case 0:
         r.load_lower = static_cast<double>(load * (1 + 1e-9L));
         return true;

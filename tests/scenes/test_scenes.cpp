@@ -30,6 +30,9 @@ std::vector<Kind> all_kinds() {
   std::vector<Kind> all;
   for (const auto& some : {properties_of_steps(), properties_of_sequences(), properties_of_slopes(), properties_of_laws()})
     all.insert(all.end(), some.begin(), some.end());
+#ifdef RC_SCENES_FLOW
+  for (const Kind& kind : properties_of_flows()) all.push_back(kind);
+#endif
   return all;
 }
 
