@@ -91,6 +91,7 @@ std::unique_ptr<rc_request> made(const rc_request_spec& spec) {
   } else if (spec.call != RC_CALL_ANALYZE) {
     set_elasticity(words, units, *request);
   }
+  set_layer(words, units, *request);
   set_flow(words, units, *request);
   set_loading(words, units, !spec.system && spec.call != RC_CALL_ANALYZE, *request);
   set_surface(spec, words, units, *request);
@@ -181,6 +182,19 @@ rc_status rc_request_options(const rc_request* request, rc_options* into) {
   });
 }
 
+int64_t rc_request_option_count(const rc_request* request) { return request ? std::ssize(request->options) : 0; }
+
+rc_status rc_request_option(const rc_request* request, int64_t index, const char** key, const char** text) {
+  return rc::request::guard([&] {
+    const std::int64_t count = rc_request_option_count(request);
+    if (index < 0 || index >= count) fail(RC_ERR_ARGUMENT, "index = ", index, " is not below ", count);
+    if (!key || !text) fail(RC_ERR_ARGUMENT, key ? "text is null" : "key is null");
+    const auto& [name, value] = request->options[static_cast<std::size_t>(index)];
+    *key = name.c_str();
+    *text = value.c_str();
+  });
+}
+
 int64_t rc_request_remark_count(const rc_request* request) { return request ? std::ssize(request->remarks) : 0; }
 
 rc_status rc_request_remark(const rc_request* request, int64_t index, rc_remark* out) {
@@ -206,7 +220,7 @@ rc_status rc_request_smooth(const rc_request* request, double load, rc_smooth* o
     check_size(out, "rc_smooth");
     if (!request->shape) fail(RC_ERR_ARGUMENT, "no shape was named");
     const rc_system& s = request->view.system;
-    if (s.op != RC_OPERATOR_HALFSPACE) fail(RC_ERR_ARGUMENT, "the system is no half-space");
+    if (s.op != RC_OPERATOR_HALFSPACE || request->layered) fail(RC_ERR_ARGUMENT, "the system is no homogeneous half-space");
     if (!(load >= 0) || !std::isfinite(load)) fail(RC_ERR_ARGUMENT, "load = ", load, " must be 0 or more, and finite");
     write(out, smooth_of(*request, load));
   });
@@ -216,7 +230,7 @@ rc_status rc_request_note(const rc_request* request, const char* note, double lo
   return rc::request::guard([&] {
     if (!request || !note || !text || size == 0) fail(RC_ERR_ARGUMENT, "request, note or text is null, or size 0");
     std::string all = with_words(request->spelling, note);
-    if (request->shape && load > 0 && request->view.system.op == RC_OPERATOR_HALFSPACE) {
+    if (request->shape && !request->layered && load > 0 && request->view.system.op == RC_OPERATOR_HALFSPACE) {
       const std::string remark = smooth_of(*request, load).remark;
       all += (all.empty() || remark.empty() ? "" : "; ") + remark;
     }

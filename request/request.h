@@ -21,6 +21,7 @@ struct rc_request {
   std::optional<rc::request::Shape> shape;
   rc::request::Spelling spelling;
   std::vector<std::pair<std::string, std::string>> options;
+  bool layered = false;
 
   struct Remark {
     int32_t code, severity;
@@ -44,6 +45,7 @@ struct Units {
 
 // The contact modulus of both bodies, and the hardness. Doubts about them go into the remarks.
 void set_elasticity(const Words& words, Units& units, rc_request& request);
+void set_layer(const Words& words, Units& units, rc_request& request);
 // needed: whether it is an error if nothing presses.
 void set_loading(const Words& words, Units& units, bool needed, rc_request& request);
 // The words leak and closing-pressure.

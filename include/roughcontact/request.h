@@ -159,7 +159,12 @@ typedef struct rc_problem_view {
 /** Errors: ARGUMENT. */
 RC_API rc_status rc_request_problem(const rc_request *request, rc_problem_view *out);
 
-/** Sets the options that are among the words. Errors: as rc_options_parse. */
+/** The options that the words set: those among the words, and what a layer sets. */
+RC_API int64_t rc_request_option_count(const rc_request *request);
+/** index: 0 .. count - 1. *key, *text: live as long as the request. Errors: ARGUMENT. */
+RC_API rc_status rc_request_option(const rc_request *request, int64_t index, const char **key, const char **text);
+
+/** Sets these options. Errors: as rc_options_parse. */
 RC_API rc_status rc_request_options(const rc_request *request, rc_options *into);
 
 /* Remarks. */
@@ -174,7 +179,8 @@ enum {
   RC_REMARK_SPIKES = 8,    /* points that were taken out, and the farthest of them from the median                   */
   RC_REMARK_RESAMPLED = 9, /* pitch of the other body before and after                                               */
   RC_REMARK_OVERLAP = 10,  /* points that are left, and the shift                                                    */
-  RC_REMARK_PITCH = 11     /* the file says it: hx, hy                                                               */
+  RC_REMARK_PITCH = 11,    /* the file says it: hx, hy                                                               */
+  RC_REMARK_LAYER = 12     /* Poisson's ratio of the half-space below it is taken                                    */
 };
 enum { RC_FACT = 0, RC_ASSUMED = 1, RC_DOUBTFUL = 2 };
 
@@ -209,7 +215,7 @@ typedef struct rc_smooth {
 } rc_smooth;
 #define RC_SMOOTH_INIT RC_BEGIN(rc_smooth)
 
-/** load: 0 or more. Errors: ARGUMENT (no shape was named, or the system is no half-space). */
+/** load: 0 or more. Errors: ARGUMENT (no shape was named, or the system is no homogeneous half-space). */
 RC_API rc_status rc_request_smooth(const rc_request *request, double load, rc_smooth *out);
 /** @} */
 

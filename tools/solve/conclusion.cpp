@@ -59,8 +59,7 @@ std::string remarks(const Problem& problem, const rc_result& r) {
 
 std::optional<rc_smooth> smooth_answer(const Problem& problem, const rc_result& r) {
   rc_smooth smooth = RC_SMOOTH_INIT;
-  if (problem.input.shape.empty()) return std::nullopt;
-  if (rc_request_smooth(problem.input.request.get(), r.load, &smooth) != RC_OK) throw Error(rc_request_last_error());
+  if (rc_request_smooth(problem.input.request.get(), r.load, &smooth) != RC_OK) return std::nullopt;  // no shape, or a layer
   return smooth;
 }
 

@@ -9,9 +9,11 @@ namespace {
 
 void set_options(const SolveArguments& arguments, Problem& problem) {
   if (arguments.out) problem.options.emplace_back(RC_OPT_RESUMABLE, "1");
-  for (const Word& word : all_words()) {
-    if (word.kind != RC_WORD_OPTION) continue;
-    if (const auto& text = arguments.words[word.name]) problem.options.emplace_back(word.name, *text);
+  const rc_request* const request = problem.input.request.get();
+  for (std::int64_t k = 0; k < rc_request_option_count(request); ++k) {
+    const char *key = nullptr, *text = nullptr;
+    if (rc_request_option(request, k, &key, &text) != RC_OK) throw Error(rc_request_last_error());
+    problem.options.emplace_back(key, text);
   }
   for (const std::string& assignment : arguments.set) {
     const auto equals = assignment.find('=');
@@ -40,8 +42,8 @@ double Problem::step_target(std::size_t step) const {
 Problem make_problem(const SolveArguments& arguments, std::int32_t call, const rc_map* maps, std::int64_t n_maps) {
   Problem problem;
   if (call != RC_CALL_ROWS) problem.options.emplace_back(RC_OPT_STIFFNESS, "1");
-  set_options(arguments, problem);
   problem.input = input_of(arguments.words, make_request(arguments.words, call, maps, n_maps));
+  set_options(arguments, problem);
   const rc_problem_view& view = problem.view = problem_of(problem.input.request);
   problem.system = view.system;
   problem.control = view.loading;

@@ -44,6 +44,8 @@ std::string SurfaceInput::preparation() const {
                                 missing_rule == "fill" ? "filled" : "excluded");
   }
   if (!shape.empty()) text += ", shape " + shape;
+  for (const auto& [word, value] : words)
+    if (word == "layer") text += ", layer " + value;
   return text;
 }
 

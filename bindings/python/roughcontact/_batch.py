@@ -148,6 +148,7 @@ def batch(
     if each is not None:
         struct.fn = rc_batch_fn(callbacks.guarded(after))
     description, product = system.struct()
+    options = problem.options(options)
     chosen = dict(options or {}) if each is not None else with_threads(options, system, n)
 
     def call() -> int:

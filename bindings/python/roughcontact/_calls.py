@@ -196,6 +196,7 @@ def interruptible(
         finally:
             if use is not None and working:
                 use.end_work()
+            library.stop_when(None)  # the flag goes with this call, the thread does not
             free.append(worker)
             if answer is not None:
                 found.append(answer)

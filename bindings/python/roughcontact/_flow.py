@@ -229,10 +229,10 @@ def closing_pressure(
     spec, out = _spec(along, sides, width=width), rc_flow_closing()
     what = pressed(_constants.RC_CALL_HISTORY, heights, undeformed_gap, mask, system, {**named, "closing-pressure": along})
     struct, product = what.system.struct()
-    step = given(rc_step(), undeformed_gap=what.gap, mask=what.mask)
+    step, chosen = given(rc_step(), undeformed_gap=what.gap, mask=what.mask), what.options(options)
 
     def call() -> int:
-        with OptionSet(options, context) as handle:
+        with OptionSet(chosen, context) as handle:
             return int(flow_library().rc_flow_closing_pressure(struct, handle, step, spec, out))
 
     answer: ClosingPressure = _called(ClosingPressure, out, call, (what, product, step, spec))

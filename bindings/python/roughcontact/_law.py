@@ -236,7 +236,7 @@ def law(
         spec.progress = rc_progress_fn(callbacks.guarded(progress_caller(progress)))
     handle = ctypes.c_void_p()
     struct, product = found.struct()
-    chosen = with_threads(options, found)
+    chosen = with_threads(what.options(options), found)
 
     def call() -> int:
         with OptionSet(chosen, context) as given:

@@ -34,6 +34,7 @@ from ._library import request_library
 from ._maps import has_methods_of_a_topography, pitch_of_topography
 from ._structs import rc_given, rc_map, rc_problem_view, rc_remark, rc_request_spec, rc_smooth
 from ._units import AssumedUnit, warn
+from .context import Options
 from .system import REPEATS, AssumedBoundary, HalfSpace, System
 
 CONTROLS = {
@@ -218,6 +219,14 @@ class Request:
             check(library.rc_request_remark(self._handle, index, found[-1]), _message)
         return found
 
+    def options(self) -> Dict[str, str]:
+        """That the words set."""
+        found, key, text = {}, ctypes.c_char_p(), ctypes.c_char_p()
+        for index in range(request_library().rc_request_option_count(self._handle)):
+            check(request_library().rc_request_option(self._handle, index, key, text), _message)
+            found[(key.value or b"").decode()] = (text.value or b"").decode()
+        return found
+
     def _said(self, doubtful: bool) -> Tuple[str, ...]:
         return tuple(
             each.text.decode(errors="replace")
@@ -295,6 +304,14 @@ class Pressed:
         heights = np.ctypeslib.as_array(view.heights, (int(np.prod(self.gap.shape)),)).reshape(self.gap.shape)
         repeats = None if view.periodic < 0 else bool(view.periodic)
         return Surface(heights, self.system.pitch, repeats, self.mask, "m" if view.si else None)
+
+    def options(self, given: Options) -> Options:
+        """With those that the words set."""
+        own = self.request.options()
+        twice = sorted(set(own) & set(given or {}))
+        if twice:
+            raise ArgumentError(f"{twice[0]} is given twice, by the word layer and as an option")
+        return {**own, **(given or {})} if own else given
 
     def needed(self) -> Prescribed:
         if self.loading is None:

@@ -63,7 +63,7 @@ def solve(
     """
     given, options = split_words(solve, options, words, context)
     what = pressed(_constants.RC_CALL_SOLVE, heights, undeformed_gap, mask, system, given)
-    with Contact(what.system, options=options, progress=progress, every=every, context=context) as contact:
+    with Contact(what.system, options=what.options(options), progress=progress, every=every, context=context) as contact:
         result = contact._solve_one(
             what.needed(),
             what.gap,
@@ -114,7 +114,7 @@ def history(
     """
     given, options = split_words(history, options, words, context)
     what = pressed(_constants.RC_CALL_HISTORY, heights, undeformed_gap, mask, system, given)
-    with Contact(what.system, options=options, progress=progress, every=every, context=context) as contact:
+    with Contact(what.system, options=what.options(options), progress=progress, every=every, context=context) as contact:
         answer = history_on(
             contact, what.needed(), what.gap, what.mask, warm_start, virgin, stiffness, keep_pressure, want_gap, each, check
         )

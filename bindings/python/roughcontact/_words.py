@@ -28,6 +28,11 @@ HELP = {
     "E2": ("E", "Young's modulus of the other body (default: rigid)"),
     "nu2": ("NU", "Poisson's ratio of the other body"),
     "hardness": ("H", "Largest pressure; above it the surface yields (default: elastic)"),
+    "layer": (
+        "LAYER",
+        "Coating of the half-space: thickness, modulus and Poisson's ratio; unless it is bonded to the half-space, "
+        "base=rigid, interface=frictionless; the other body is rigid",
+    ),
     "approach": ("TARGETS", "Approach from first touch of the highest point"),
     "load": ("TARGETS", "Normal force"),
     "pressure": ("TARGETS", "Mean pressure over the whole surface; of a law the range LOWER..UPPER"),

@@ -269,3 +269,11 @@ def test_a_handler_may_cancel_while_its_thread_closes(half_space, sphere_gap):
     with contact._use._alive:  # as in close()
         contact.cancel()
     contact.close()
+
+
+def test_a_kept_thread_has_no_flag_of_an_earlier_call():
+    """Which another library, called on it later, would look at."""
+    flags = []
+    library = _calls.Library(flags.append, lambda: "")
+    assert _calls.interruptible(lambda: 0, of=lambda: library) == (0, "", None)
+    assert len(flags) == 2 and flags[0] is not None and flags[1] is None

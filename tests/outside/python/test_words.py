@@ -47,6 +47,11 @@ RIGHT = {
     "E2": [{**ELASTIC, "E2": "1GPa", "nu2": "0.2"}],
     "nu2": [{**ELASTIC, "E2": "1GPa", "nu2": "0.4"}],
     "hardness": [{"hardness": "30MPa"}],
+    "layer": [
+        {"layer": "t=2um,E=3GPa,nu=0.4"},
+        {"layer": "t=2um,E=300MPa,nu=0.5,base=rigid,interface=frictionless", "boundary": "free"},
+        {"layer": "t=2e-6,E=3e9,nu=0.4", **ELASTIC},
+    ],
     "approach": [{"approach": "20nm", "load": None}],
     "load": [{"load": "20uN"}, {"load": "2e-5"}],
     "pressure": [{"pressure": "100kPa", "load": None}],
@@ -101,6 +106,18 @@ WRONG = {
     "E2": [{"modulus": None, "E2": "1GPa", "nu2": "0.3"}, {**ELASTIC, "E2": "1GPa"}],
     "nu2": [{**ELASTIC, "nu2": "0.3"}, {**ELASTIC, "E2": "1GPa", "nu2": "-1"}],
     "hardness": [{"hardness": "1m"}],
+    "layer": [
+        {"layer": text}
+        for text in (
+            "t=2um,E=3GPa",
+            "t=0,E=3GPa,nu=0.4",
+            "t=2um,E=3GPa,nu=0.6",
+            "t=2MPa,E=3GPa,nu=0.4",
+            "2um",
+            "t=2um,E=1Pa,nu=0.3,base=soft",
+        )
+    ]
+    + [{"layer": "t=2um,E=3GPa,nu=0.4", **ELASTIC, "E2": "1GPa", "nu2": "0.3"}],
     "approach": [{"approach": "1Pa", "load": None}, {"approach": "1nm"}],
     "load": [
         {"load": "1"},
@@ -386,3 +403,22 @@ def test_metres_that_only_a_mistaken_unit_explains_are_refused(folder, monkeypat
         rc.solve("surface.npy", pitch=0.02, modulus=1e9, load=1e-5)
     assert rc.solve("surface.npy", pitch=0.02, unit="m", modulus=1e9, load=1e-5).certified
     assert rc.solve(np.load("surface.npy"), pitch=0.02, modulus=1e9, load=1e-5).certified  # in the caller's units
+
+
+def test_a_layer_is_the_kernel_of_that_name(folder, monkeypatch):
+    monkeypatch.chdir(folder)
+    words = given({**ELASTIC})
+    words["surface"], surface = None, words["surface"]
+    words = {name: value for name, value in words.items() if value is not None}
+    own = {"thickness": 2e-6, "modulus": 3e9 / (1 - 0.4**2), "poisson": 0.4, "substrate_poisson": 0.3}
+    want = rc.solve(surface, kernel="layer", options={f"layer.{name}": value for name, value in own.items()}, **words)
+    found = rc.solve(surface, layer="t=2um,E=3GPa,nu=0.4", **words)
+    assert (
+        found.kernel == "layer"
+        and found.approach == pytest.approx(want.approach, rel=1e-14, abs=0) != rc.solve(surface, **words).approach
+    )
+    assert any("Poisson's ratio 0.3" in text for text in rc.solve(surface, layer="t=2um,E=3GPa,nu=0.4", **BASE).assumed)
+    with pytest.raises(rc.ArgumentError, match="layer.poisson is given twice"):
+        rc.solve(surface, layer="t=2um,E=3GPa,nu=0.4", layer_poisson=0.3, **words)
+    shaped = rc.solve(surface, layer="t=2um,E=3GPa,nu=0.4", shape="sphere:R=1mm", **{**words, "boundary": None})
+    assert shaped.smooth is None

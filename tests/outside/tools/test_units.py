@@ -41,8 +41,8 @@ class Units(CommandTest):
             self.assertEqual(done.stderr.count(said), 1, done.stderr)
             self.assertNotIn("without a unit", self.run_command(command, self.npy(z), *press, *how, "--unit", "m", env=without_gnuplot()).stderr)
         given, _ = self.input_of(pitch="1e-6")
-        self.assertEqual(given["assumed"], "lengths without a unit are taken in m (heights of surface.npy, --pitch); --unit names another")
-        self.assertEqual(self.input_of(pitch="1um", unit="m")[0]["assumed"], "")
+        self.assertEqual(given["assumed"], ["lengths without a unit are taken in m (heights of surface.npy, --pitch); --unit names another"])
+        self.assertEqual(self.input_of(pitch="1um", unit="m")[0]["assumed"], [])
         self.file("named.gsf", gsf(z, 1e-6, 1e-6, "XYUnits = m\nZUnits = m\n"))
         self.assert_fails("solve", "named.gsf", *press[2:], "--load", "1uN", "--unit", "um", says=["named.gsf", "is m in the file", "um"])
         np.save(self.folder / "other.npy", 1e6 * z)  # of two files, one leaves its unit open

@@ -252,7 +252,8 @@ def assumptions(content: Content) -> List[str]:
         )
     else:
         told.append("Linear elastic at every pressure; no hardness was given.")
-    told.append("Small slopes, an elastic half-space, no adhesion, no friction, no layers.")
+    layer = f"a layer on it ({words['layer']})" if "layer" in words else "no layers"
+    told.append(f"Small slopes, an elastic half-space, no adhesion, no friction, {layer}.")
     if content.curve:
         told.append("One target was given; the steps below it were added for the curves.")
     if content.input["boundary"] == "free":
