@@ -45,7 +45,7 @@ int main(void) {
 
   rc_options* options = NULL;
   rc_status result = rc_options_create(NULL, &options);
-  if (result == RC_OK) result = rc_options_set_int(options, RC_OPT_THREADS, 2);
+  if (result == RC_OK) result = rc_options_set_number(options, RC_OPT_THREADS, 2);
   if (result == RC_OK) result = rc_batch_solve(&system, options, &batch);
   rc_options_destroy(options);
   if (result != RC_OK) fprintf(stderr, "%s: %s\n", rc_status_name(result), rc_last_error());

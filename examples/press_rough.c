@@ -42,7 +42,7 @@ int main(void) {
   step.target = advice.approach;
   status = rc_options_create(NULL, &options);
   if (status == RC_OK) status = rc_options_set_text(options, RC_OPT_SOLVER, "cmr");
-  if (status == RC_OK) status = rc_options_set_int(options, "cmr.levels", 3);
+  if (status == RC_OK) status = rc_options_set_number(options, "cmr.levels", 3);
   if (status == RC_OK) status = rc_solve(&system, &step, options, &result);
   rc_options_destroy(options);
   if (status != RC_OK) return failed("contact", status, rc_last_error());

@@ -38,7 +38,7 @@ program progress
     end do
   end do
   call rcf_options_create(options)
-  call rcf_options_set_text(options, RC_OPT_SOLVER, 'polonsky-keer')
+  call rcf_options_set(options, RC_OPT_SOLVER, 'polonsky-keer')
   call rcf_contact_create(contact, rc_system(boundary=RC_BOUNDARY_FREE, nx=n, ny=n, hx=1.0_c_double, hy=1.0_c_double, &
     modulus=1.0_c_double), options)
   call rcf_options_destroy(options)

@@ -20,7 +20,7 @@ program restart
   open (newunit=unit, file=file, access='stream', form='unformatted', status='replace')
 
   call rcf_options_create(options)
-  call rcf_options_set_int(options, 'resumable', 1)
+  call rcf_options_set(options, 'resumable', 1)
   call rcf_contact_create(contact, system(), options)
   p = 0
   approach = 0

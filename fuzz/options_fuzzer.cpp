@@ -12,13 +12,11 @@
 namespace {
 
 std::string shown(const rc_options* options, const char* key) {
-  std::int64_t whole = 0;
-  double real = 0;
+  double number = 0;
   const char* text = nullptr;
-  if (rc_options_get_int(options, key, &whole) == RC_OK) return std::to_string(whole);
-  if (rc_options_get_real(options, key, &real) == RC_OK) {
+  if (rc_options_get_number(options, key, &number) == RC_OK) {
     char digits[40];
-    std::snprintf(digits, sizeof digits, "%.17g", real);
+    std::snprintf(digits, sizeof digits, "%.17g", number);
     return digits;
   }
   return rc_options_get_text(options, key, &text) == RC_OK ? text : "";
@@ -26,22 +24,22 @@ std::string shown(const rc_options* options, const char* key) {
 
 void set(rc_options* options, const char* key, const char* value) {
   const std::string before = shown(options, key);
-  const rc_status status = rc_options_parse(options, key, value);
+  const rc_status status = rc_options_set_text(options, key, value);
   fuzz::require(status == RC_OK || status == RC_ERR_OPTION || status == RC_ERR_NO_BACKEND || status == RC_ERR_NO_SOLVER ||
                     status == RC_ERR_ARGUMENT,
                 "an option is taken or refused");
   fuzz::require((status == RC_OK) == (rc_last_error()[0] == '\0'), "what is refused is explained");
   const std::string after = shown(options, key);
   if (status != RC_OK) fuzz::require(after == before, "a refused value changes nothing");
-  if (status == RC_OK && rc_options_parse(options, key, after.c_str()) == RC_OK)
+  if (status == RC_OK && rc_options_set_text(options, key, after.c_str()) == RC_OK)
     fuzz::require(shown(options, key) == after, "a value reads the same when it is set again");
 
   char* end = nullptr;
   const double real = std::strtod(value, &end);
   rc_options_set_text(options, key, value);
   if (end != value) {
-    rc_options_set_real(options, key, real);
-    if (std::abs(real) < 9e18) rc_options_set_int(options, key, static_cast<std::int64_t>(real));
+    rc_options_set_number(options, key, real);
+    rc_options_set_number(options, key, std::trunc(real));
   }
 }
 
@@ -57,8 +55,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     // C strings: they end at the first zero byte.
     if (equals != std::string::npos) set(options, line.substr(0, equals).c_str(), line.substr(equals + 1).c_str());
   }
-  std::int64_t threads = 0;
-  if (rc_options_get_int(options, RC_OPT_THREADS, &threads) == RC_OK && threads <= 3) {
+  double threads = 0;
+  if (rc_options_get_number(options, RC_OPT_THREADS, &threads) == RC_OK && threads <= 3) {
     const double gap[] = {0, 0.5, 0.25, 1};
     double p[4] = {7, 7, 7, 7};
     rc_system system = RC_SYSTEM_INIT;

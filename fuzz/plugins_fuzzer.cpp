@@ -83,13 +83,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   require(rc_solve(&system, &step, options, &result) == RC_ERR_PLUGIN, "a damaged plugin is refused");
   require(std::strstr(rc_last_error(), "rcb_x.so") != nullptr, "the message names the file");
   require(p[0] == 7, "a failed call writes no pressure");
-  require(rc_options_set_int(options, "x.key", 1) < 0, "a damaged plugin has no options");
+  require(rc_options_set_number(options, "x.key", 1) < 0, "a damaged plugin has no options");
 
-  const std::int64_t count = rc_backend_count(context);
+  const std::int64_t count = rc_component_count(context, RC_COMPONENT_BACKEND);
   for (std::int64_t i = 0; i < count; ++i) {
     rc_component component{};
     component.struct_size = sizeof component;
-    require(rc_backend_describe(context, i, &component) == RC_OK && std::strcmp(component.name, "x") != 0, "it is not listed");
+    require(rc_component_describe(context, RC_COMPONENT_BACKEND, i, &component) == RC_OK && std::strcmp(component.name, "x") != 0,
+            "it is not listed");
   }
   require(rc_options_set_text(options, RC_OPT_BACKEND, "dense") == RC_OK, "another name is taken");
   require(rc_solve(&system, &step, options, &result) == RC_OK, "the context stays usable");

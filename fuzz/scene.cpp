@@ -180,7 +180,7 @@ void read_step(Bytes& bytes, const Scene& scene, const Last& last, bool keeps_ga
 rc_options* make_options(const Scene& scene) {
   rc_options* options = nullptr;
   if (rc_options_create(nullptr, &options) != RC_OK) return nullptr;
-  for (const auto& [key, value] : scene.options) rc_options_parse(options, key.c_str(), value.c_str());
+  for (const auto& [key, value] : scene.options) rc_options_set_text(options, key.c_str(), value.c_str());
   return options;
 }
 

@@ -14,9 +14,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   scene.fails_at = 0;
   fuzz::Oracle(scene).check({step.undeformed_gap.data(), fuzz::mask_of(step.given), step.given.control, step.given.target},
                             answer);
-  std::int64_t most = 0;
-  if (answer.status >= 0 && rc_options_get_int(options, RC_OPT_MAX_ITER, &most) == RC_OK)
-    fuzz::require(answer.result.iterations <= most, "no more iterations than max_iter");
+  double most = 0;
+  if (answer.status >= 0 && rc_options_get_number(options, RC_OPT_MAX_ITER, &most) == RC_OK)
+    fuzz::require(static_cast<double>(answer.result.iterations) <= most, "no more iterations than max_iter");
   rc_options_destroy(options);
   return 0;
 }

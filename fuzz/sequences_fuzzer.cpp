@@ -226,7 +226,7 @@ class Sequence {
     const auto equals = line.find('=');
     if (equals == std::string::npos || line.starts_with(RC_OPT_THREADS)) return;
     const std::string key = line.substr(0, equals), value = line.substr(equals + 1);
-    rc_options_parse(options_, key.c_str(), value.c_str());
+    rc_options_set_text(options_, key.c_str(), value.c_str());
     scene_.options.emplace_back(key, value);
     const rc_status status = rc_contact_set_options(contact_, options_);
     require(status <= 0 && status != RC_ERR_INTERNAL && status != RC_ERR_BUSY, "options are taken or refused");
@@ -251,7 +251,7 @@ class Sequence {
       oracle_.check(problem, there);
       indentation_.commit(here);
       double limit = 0;
-      const bool timed = rc_options_get_real(options_, RC_OPT_TIME_LIMIT, &limit) == RC_OK && limit > 0;
+      const bool timed = rc_options_get_number(options_, RC_OPT_TIME_LIMIT, &limit) == RC_OK && limit > 0;
       // A step that is stopped before it begins may still have a certified start.
       if (!cancelled_ && !timed) {
         require(here.status == there.status, "after a reset a step ends as in a new contact");

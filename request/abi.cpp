@@ -174,7 +174,7 @@ rc_status rc_request_options(const rc_request* request, rc_options* into) {
   return rc::request::guard([&] {
     if (!request || !into) fail(RC_ERR_ARGUMENT, request ? "into is null" : "request is null");
     for (const auto& [key, text] : request->options) {
-      const rc_status status = rc_options_parse(into, key.c_str(), text.c_str());
+      const rc_status status = rc_options_set_text(into, key.c_str(), text.c_str());
       if (status == RC_OK) continue;
       const std::string_view message = rc_last_error();
       fail(status, message.substr(message.find(": ") + 2));

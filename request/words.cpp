@@ -60,12 +60,12 @@ const char* call_name(std::int32_t call) {
 std::string option_key(const Spelling& spelling, const std::string& name, rc_context* context) {
   const std::string key = as_key(name);
   std::vector<std::string> known;
-  const std::int64_t count = rc_options_count(context);
+  const std::int64_t count = rc_component_count(context, RC_COMPONENT_OPTION);
   for (std::int64_t i = 0; i < count; ++i) {
-    rc_option_spec option = RC_OPTION_SPEC_INIT;
-    if (rc_options_describe(context, i, &option) != RC_OK) continue;
-    if (as_key(option.key) == key) return option.key;
-    known.emplace_back(option.key);
+    rc_component option = RC_COMPONENT_INIT;
+    if (rc_component_describe(context, RC_COMPONENT_OPTION, i, &option) != RC_OK) continue;
+    if (as_key(option.name) == key) return option.name;
+    known.emplace_back(option.name);
   }
   for (const Word& word : table) known.emplace_back(word.name);
   std::string near = did_you_mean(name, known);

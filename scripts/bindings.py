@@ -38,8 +38,8 @@ HEADERS = {
 }
 # Functions of plugin.h that Python calls; the structs that only this header knows are handles to it.
 FROM_PLUGIN = ["rc_context_register"]
-# The parts of mpi.h for languages that know communicators by their Fortran handles.
-FROM_MPI = ["rc_ranks_counts"]
+# The structs of mpi.h that languages need which know communicators by their Fortran handles.
+FROM_MPI = ["rc_exchange", "rc_ranks_counts"]
 
 
 def golden(headers: Sequence[str], found: Interface) -> str:
@@ -63,9 +63,7 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
     with_communicators = mpi.functions.keys()
     mpi.types = {name: mpi.types[name] for name in FROM_MPI}
     mpi.functions = {
-        name: each
-        for name, each in mpi.functions.items()
-        if name.startswith("rc_mpi_") and all(kind.base != "MPI_Comm" for _, kind in each.arguments)
+        name: each for name, each in mpi.functions.items() if all(kind.base != "MPI_Comm" for _, kind in each.arguments)
     }
     words = (ROOT / "request/words.def").read_text()
     plugin = read(["roughcontact/plugin.h"], include, cc, contact)
@@ -83,9 +81,9 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
     )
     use_c = "  use, intrinsic :: iso_c_binding"
     members = [
-        f"{'TEXT' if kind.array else 'NUMBER'}({struct.name.replace('rc_', '')}, {name})"
+        f"{'TEXT' if kind.array else 'NUMBER'}({name})"
         for struct in contact.structs()
-        if struct.name in ("rc_result", "rc_accuracy")
+        if struct.name == "rc_result"
         for name, kind in struct.members
         if kind.base not in contact.known and not kind.stars and name not in ("struct_size", "reserved")
     ]
@@ -194,7 +192,7 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
         "tests/contract/abi/golden.c": golden(every, read(every, include, cc)) + "\nint main(void) { return 0; }\n",
         "tests/contract/abi/golden_plugin.c": golden(["roughcontact/plugin.h"], plugin),
         "tests/contract/abi/symbols.txt": "".join(f"{name}\n" for name in sorted({**contact.functions, **ranks.functions, **plugin.functions})),
-        "bindings/octave/result_fields.def": "/* Members of rc_result and rc_accuracy that rc_solve returns in info, under their names. Written by "
+        "bindings/octave/result_fields.def": "/* Members of rc_result that rc_solve returns in info, under their names. Written by "
         "scripts/bindings.py. */\n" + "\n".join(members) + "\n",
     }
 

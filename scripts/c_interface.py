@@ -14,8 +14,7 @@ from pycparser import c_ast, c_generator
 SCALARS = {
     "rc_version": "major minor patch abi",
     **dict.fromkeys(("rc_stop_when", "rc_surface_stop_when", "rc_flow_stop_when"), "flag"),
-    "rc_options_get_int": "out",
-    "rc_options_get_real": "out",
+    "rc_options_get_number": "out",
     "rc_contact_points": "n",
     "rc_conductance": "conductance lower upper",
     "rc_punch_stiffness": "stiffness lower upper",
@@ -24,7 +23,7 @@ SCALARS = {
     "rc_law_gap_conductance": "conductance",
     "rc_surface_psd": "count",
     "rc_surface_unit": "metres",
-    **dict.fromkeys(("rc_ranks_rows", "rc_mpi_rows", "rc_mpi_rows_f"), "first count"),
+    "rc_ranks_rows": "first count",
 }
 # Arguments that Fortran may leave out: NULL in C.
 OPTIONAL = {

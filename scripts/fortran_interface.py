@@ -45,7 +45,9 @@ def fortran_number(expression: str, kind: Type) -> str:
 
 def fortran_signature(name: str, function: Function) -> str:
     """The interface of a callback, for a comment."""
-    result = KINDS[function.result.base] + " function" if function.result.base != "void" else "subroutine"
+    result = "subroutine"
+    if function.result != Type("void"):
+        result = f"{'type(c_ptr)' if function.result.stars else KINDS[function.result.base]} function"
     return f"{result} {name}({', '.join(argument for argument, _ in function.arguments)}) bind(c)"
 
 

@@ -50,16 +50,10 @@ void check_surface(rc_status status, std::string_view subject) {
   if (status != RC_OK) throw Error(subject, subject.empty() ? "" : ": ", without_function(rc_surface_last_error()));
 }
 
-std::vector<rc_component> components(const Context& context, Count count, Describe describe) {
-  std::vector<rc_component> found(static_cast<std::size_t>(count(context.get())), RC_COMPONENT_INIT);
-  for (std::size_t i = 0; i < found.size(); ++i) check(describe(context.get(), static_cast<int64_t>(i), &found[i]), "");
-  return found;
-}
-
-std::vector<rc_option_spec> option_specs(const Context& context) {
-  std::vector<rc_option_spec> found(static_cast<std::size_t>(rc_options_count(context.get())), RC_OPTION_SPEC_INIT);
+std::vector<rc_component> components(const Context& context, int32_t kind) {
+  std::vector<rc_component> found(static_cast<std::size_t>(rc_component_count(context.get(), kind)), RC_COMPONENT_INIT);
   for (std::size_t i = 0; i < found.size(); ++i)
-    check(rc_options_describe(context.get(), static_cast<int64_t>(i), &found[i]), "");
+    check(rc_component_describe(context.get(), kind, static_cast<int64_t>(i), &found[i]), "");
   return found;
 }
 
@@ -67,8 +61,8 @@ Options make_options(const Context& context, int threads, const std::vector<std:
   rc_options* handle = nullptr;
   check(rc_options_create(context.get(), &handle), "");
   Options options{handle};
-  check(rc_options_set_int(handle, RC_OPT_THREADS, threads), "");
-  for (const auto& [key, text] : settings) check(rc_options_parse(handle, key.c_str(), text.c_str()), "");
+  check(rc_options_set_number(handle, RC_OPT_THREADS, threads), "");
+  for (const auto& [key, text] : settings) check(rc_options_set_text(handle, key.c_str(), text.c_str()), "");
   return options;
 }
 

@@ -34,11 +34,8 @@ class Context {
   std::unique_ptr<rc_context, Destroy<rc_context_destroy>> handle_;
 };
 
-// The backends, solvers or kernels of a registry, and its options.
-using Count = int64_t (*)(rc_context*);
-using Describe = rc_status (*)(rc_context*, int64_t, rc_component*);
-std::vector<rc_component> components(const Context& context, Count count, Describe describe);
-std::vector<rc_option_spec> option_specs(const Context& context);
+// The components of a kind, RC_COMPONENT_*, of a registry.
+std::vector<rc_component> components(const Context& context, int32_t kind);
 
 // Throws an Error with the library's own text if the call failed; `subject` ("--tol", "step 3") opens the message.
 void check(rc_status status, std::string_view subject);

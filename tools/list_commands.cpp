@@ -32,11 +32,10 @@ void print_rows(const std::vector<Row>& rows) {
   }
 }
 
-void list_components(Count count, Describe describe) {
+void list_components(int32_t kind) {
   Context context;
   std::vector<Row> rows{{"name", "summary", "license", "origin"}};
-  for (const rc_component& each : components(context, count, describe))
-    rows.push_back({each.name, each.summary, each.license, each.origin});
+  for (const rc_component& each : components(context, kind)) rows.push_back({each.name, each.summary, each.license, each.origin});
   context.report_log();
   print_rows(rows);
   if (!rc_platform::loads_plugins()) report("this command is linked statically and loads no plugins; these are all it has");
@@ -47,22 +46,22 @@ std::string type_name(int32_t type) {
   return type == RC_TYPE_REAL ? "real" : "text";
 }
 
-std::string allowed_values(const rc_option_spec& option) {
+std::string allowed_values(const rc_component& option) {
   if (option.type == RC_TYPE_TEXT) return option.choices ? option.choices : "";
   return format("%g .. %g", option.minimum, option.maximum);
 }
 
 }  // namespace
 
-void list_backends() { list_components(rc_backend_count, rc_backend_describe); }
-void list_solvers() { list_components(rc_solver_count, rc_solver_describe); }
-void list_kernels() { list_components(rc_kernel_count, rc_kernel_describe); }
+void list_backends() { list_components(RC_COMPONENT_BACKEND); }
+void list_solvers() { list_components(RC_COMPONENT_SOLVER); }
+void list_kernels() { list_components(RC_COMPONENT_KERNEL); }
 
 std::vector<Row> option_rows() {
   Context context;
   std::vector<Row> rows;
-  for (const rc_option_spec& each : option_specs(context))
-    rows.push_back({each.key, type_name(each.type), each.default_value, allowed_values(each), each.help});
+  for (const rc_component& each : components(context, RC_COMPONENT_OPTION))
+    rows.push_back({each.name, type_name(each.type), each.default_value, allowed_values(each), each.summary});
   context.report_log();
   return rows;
 }

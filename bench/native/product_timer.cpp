@@ -57,9 +57,9 @@ const char* bench_time_products(const rc_system* system, const double* gap, doub
     const auto context = made<rc_context, rc_context_destroy>([](auto** out) { return rc_context_create(nullptr, out); });
     check(rc_context_register(context.get(), &plugin));
     const auto options = made<rc_options, rc_options_destroy>([&](auto** out) { return rc_options_create(context.get(), out); });
-    check(rc_options_parse(options.get(), RC_OPT_SOLVER, timer.name));
-    check(rc_options_parse(options.get(), RC_OPT_BACKEND, backend));
-    check(rc_options_set_int(options.get(), RC_OPT_THREADS, threads));
+    check(rc_options_set_text(options.get(), RC_OPT_SOLVER, timer.name));
+    check(rc_options_set_text(options.get(), RC_OPT_BACKEND, backend));
+    check(rc_options_set_number(options.get(), RC_OPT_THREADS, threads));
     const auto contact =
         made<rc_contact, rc_contact_destroy>([&](auto** out) { return rc_contact_create(system, options.get(), out); });
     rc_step step = RC_STEP_INIT;

@@ -94,7 +94,9 @@ int main(int argc, char** argv) {
   system.hx = system.hy = 1.0 / (double)n;
   system.modulus = 1;
   int64_t first = 0, count = n;
-  if (!alone && rc_mpi_rows(MPI_COMM_WORLD, &system, &first, &count) != RC_OK) stop("rows");
+  rc_exchange exchange = RC_EXCHANGE_INIT;
+  if (!alone && rc_mpi_exchange_create(MPI_COMM_WORLD, &exchange) != RC_OK) stop("exchange");
+  if (!alone && rc_ranks_rows(&exchange, &system, &first, &count) != RC_OK) stop("rows");
 
   const size_t points = (size_t)(n * count);
   double *gap = malloc((points + 1) * sizeof *gap), *p = calloc(points + 1, sizeof *p), highest = -INFINITY, squares = 0;
@@ -113,10 +115,11 @@ int main(int argc, char** argv) {
   rc_step step = RC_STEP_INIT;
   rc_result result = RC_RESULT_INIT;
   rc_ranks_counts counts = RC_RANKS_COUNTS_INIT;
-  if (rc_options_create(NULL, &options) != RC_OK || rc_options_parse(options, RC_OPT_THREADS, argv[2]) != RC_OK ||
-      rc_options_parse(options, RC_OPT_SOLVER, "haar-cg") != RC_OK || rc_options_parse(options, RC_OPT_BACKEND, "fft") != RC_OK ||
-      rc_options_parse(options, "haar-cg.products", argv[4]) != RC_OK ||
-      rc_options_parse(options, "haar-cg.nested", strcmp(argv[4], "double") == 0 ? "0" : "1") != RC_OK)
+  if (rc_options_create(NULL, &options) != RC_OK || rc_options_set_text(options, RC_OPT_THREADS, argv[2]) != RC_OK ||
+      rc_options_set_text(options, RC_OPT_SOLVER, "haar-cg") != RC_OK ||
+      rc_options_set_text(options, RC_OPT_BACKEND, "fft") != RC_OK ||
+      rc_options_set_text(options, "haar-cg.products", argv[4]) != RC_OK ||
+      rc_options_set_text(options, "haar-cg.nested", strcmp(argv[4], "double") == 0 ? "0" : "1") != RC_OK)
     stop("options");
   step.control = RC_CONTROL_LOAD;
   step.target =
@@ -135,14 +138,15 @@ int main(int argc, char** argv) {
     if (rc_contact_solve(contact, &step, &result) < 0) stop("solve");
     rc_contact_destroy(contact);
   } else {
-    rc_mpi_contact* contact = NULL;
-    if (rc_mpi_contact_create(MPI_COMM_WORLD, &system, options, &contact) != RC_OK) stop("create");
+    rc_contact* contact = NULL;
+    if (rc_ranks_contact_create(&exchange, &system, options, &contact) != RC_OK) stop("create");
     made = MPI_Wtime();
     record_begin();
-    if (rc_mpi_contact_solve(contact, &step, &result) < 0) stop("solve");
+    if (rc_contact_solve(contact, &step, &result) < 0) stop("solve");
     record_end();
-    if (rc_mpi_contact_counts(contact, &counts) != RC_OK) stop("counts");
-    rc_mpi_contact_destroy(contact);
+    if (rc_ranks_contact_counts(contact, &counts) != RC_OK) stop("counts");
+    rc_contact_destroy(contact);
+    rc_mpi_exchange_destroy(&exchange);
   }
   const double seconds = total(MPI_Wtime() - made, MPI_MAX), busy = total(cpu_seconds() - cpu, MPI_SUM);
   uint64_t bits = 0, all_bits = 0;

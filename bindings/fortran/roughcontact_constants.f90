@@ -22,6 +22,8 @@ module roughcontact_constants
   integer(c_int32_t), parameter :: RC_LAW_CSV = 1, RC_LAW_CALCULIX = 2, RC_LAW_ABAQUS = 3, RC_LAW_MOOSE = 4, RC_LAW_TABLE = 5
   integer(c_int32_t), parameter :: RC_LOG_INFO = 1, RC_LOG_WARNING = 2
   integer(c_int32_t), parameter :: RC_CONTEXT_NO_PLUGINS = 1, RC_CONTEXT_NO_ENVIRONMENT = 2
+  integer(c_int32_t), parameter :: RC_COMPONENT_SOLVER = 1, RC_COMPONENT_BACKEND = 2, RC_COMPONENT_KERNEL = 3, &
+    RC_COMPONENT_OPTION = 4
   integer(c_int32_t), parameter :: RC_TYPE_INT = 1, RC_TYPE_REAL = 2, RC_TYPE_TEXT = 3
   character(*), parameter :: RC_OPT_SOLVER = 'solver', RC_OPT_BACKEND = 'backend', RC_OPT_KERNEL = 'kernel', RC_OPT_TOL = 'tol', &
     RC_OPT_MAX_ITER = 'max_iter', RC_OPT_TIME_LIMIT = 'time_limit', RC_OPT_THREADS = 'threads', RC_OPT_STIFFNESS = 'stiffness', &

@@ -41,30 +41,16 @@ module roughcontact_functions
     subroutine rc_options_destroy(options) bind(c); import
       type(c_ptr), value :: options
     end subroutine
-    integer(rc_status) function rc_options_set_int(options, key, value) bind(c); import
-      type(c_ptr), value :: options
-      character(kind=c_char), intent(in) :: key(*)
-      integer(c_int64_t), value :: value
-    end function
-    integer(rc_status) function rc_options_set_real(options, key, value) bind(c); import
+    integer(rc_status) function rc_options_set_number(options, key, value) bind(c); import
       type(c_ptr), value :: options
       character(kind=c_char), intent(in) :: key(*)
       real(c_double), value :: value
     end function
-    integer(rc_status) function rc_options_set_text(options, key, value) bind(c); import
-      type(c_ptr), value :: options
-      character(kind=c_char), intent(in) :: key(*), value(*)
-    end function
-    integer(rc_status) function rc_options_parse(options, key, text) bind(c); import
+    integer(rc_status) function rc_options_set_text(options, key, text) bind(c); import
       type(c_ptr), value :: options
       character(kind=c_char), intent(in) :: key(*), text(*)
     end function
-    integer(rc_status) function rc_options_get_int(options, key, out) bind(c); import
-      type(c_ptr), value :: options
-      character(kind=c_char), intent(in) :: key(*)
-      integer(c_int64_t), intent(inout) :: out
-    end function
-    integer(rc_status) function rc_options_get_real(options, key, out) bind(c); import
+    integer(rc_status) function rc_options_get_number(options, key, out) bind(c); import
       type(c_ptr), value :: options
       character(kind=c_char), intent(in) :: key(*)
       real(c_double), intent(inout) :: out
@@ -92,10 +78,6 @@ module roughcontact_functions
       type(c_ptr), value :: contact
       type(rc_step), intent(in) :: step
       type(rc_result), intent(inout) :: result
-    end function
-    integer(rc_status) function rc_contact_accuracy(contact, out) bind(c); import
-      type(c_ptr), value :: contact
-      type(rc_accuracy), intent(inout) :: out
     end function
     integer(rc_status) function rc_contact_points(contact, room, index, p, n) bind(c); import
       type(c_ptr), value :: contact
@@ -292,11 +274,13 @@ module roughcontact_functions
     subroutine rc_context_destroy(context) bind(c); import
       type(c_ptr), value :: context
     end subroutine
-    integer(c_int64_t) function rc_backend_count(context) bind(c); import
+    integer(c_int64_t) function rc_component_count(context, kind) bind(c); import
       type(c_ptr), value :: context
+      integer(c_int32_t), value :: kind
     end function
-    integer(rc_status) function rc_backend_describe(context, i, out) bind(c); import
+    integer(rc_status) function rc_component_describe(context, kind, i, out) bind(c); import
       type(c_ptr), value :: context
+      integer(c_int32_t), value :: kind
       integer(c_int64_t), value :: i
       type(rc_component), intent(inout) :: out
     end function
@@ -315,16 +299,9 @@ module roughcontact_functions
     integer(c_int64_t) function rc_usable_cores(allowed) bind(c); import
       integer(c_int64_t), value :: allowed
     end function
-    integer(rc_status) function rc_options_describe(context, i, out) bind(c); import
-      type(c_ptr), value :: context
-      integer(c_int64_t), value :: i
-      type(rc_option_spec), intent(inout) :: out
-    end function
   end interface
   procedure(rc_status_name), bind(c) :: rc_status_text
   procedure(rc_contact_destroy), bind(c) :: rc_contact_cancel
   procedure(rc_contact_solve), bind(c) :: rc_contact_certify
   procedure(rc_greedy), bind(c) :: rc_polonsky_keer, rc_nnls, rc_gp, rc_admm
-  procedure(rc_backend_count), bind(c) :: rc_solver_count, rc_kernel_count, rc_options_count
-  procedure(rc_backend_describe), bind(c) :: rc_solver_describe, rc_kernel_describe
 end module

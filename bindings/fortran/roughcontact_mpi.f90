@@ -2,9 +2,10 @@
 ! rows p(nx, count) in the arrays and the same values in all else. A rank without rows gives arrays p(nx, 0). Exactly one of
 ! approach and load is given.
 module roughcontact_mpi
-  use mpi_f08, only: MPI_Comm
+  use mpi_f08, only: MPI_Comm, MPI_Comm_rank, MPI_Comm_size
   use roughcontact_arrays
   use roughcontact_errors
+  use roughcontact_functions, only: rc_contact_certify, rc_contact_destroy, rc_contact_solve
   use roughcontact_mpi_interface
   use roughcontact_options, only: rcf_or_null
   use roughcontact_steps
@@ -15,7 +16,8 @@ module roughcontact_mpi
 
   ! Not to be copied: one variable, destroyed once, before MPI_Finalize.
   type :: rcf_mpi_contact
-    type(c_ptr) :: handle = c_null_ptr  ! for the rc_mpi_ functions
+    type(c_ptr) :: handle = c_null_ptr  ! for the rc_contact_ functions
+    type(rc_exchange) :: exchange  ! between the ranks, with their numbers
     integer(c_int64_t) :: nx = 0, first = 1, count = 0  ! rows first .. first + count - 1, from 1 on, of this rank
   end type
 
@@ -28,9 +30,15 @@ contains
     integer(c_int64_t), intent(out) :: first, count
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
+    type(rc_exchange) :: exchange
+    integer :: rank, ranks
     first = 0
     count = 0
-    call rcf_check(rc_mpi_rows_f(int(comm%MPI_VAL, c_int32_t), system, first, count), stat, errmsg)
+    call MPI_Comm_rank(comm, rank)
+    call MPI_Comm_size(comm, ranks)
+    exchange%rank = rank
+    exchange%ranks = ranks
+    call rcf_check(rc_ranks_rows(exchange, system, first, count), stat, errmsg)
     first = first + 1
   end subroutine
 
@@ -42,17 +50,22 @@ contains
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     integer(rc_status) :: status
-    status = rc_mpi_contact_create_f(int(comm%MPI_VAL, c_int32_t), system, rcf_or_null(options), contact%handle)
+    status = rc_mpi_exchange_create_f(int(comm%MPI_VAL, c_int32_t), contact%exchange)
+    if (status == RC_OK) status = rc_ranks_rows(contact%exchange, system, contact%first, contact%count)
+    if (status == RC_OK) status = rc_ranks_contact_create(contact%exchange, system, rcf_or_null(options), contact%handle)
     call rcf_check(status, stat, errmsg)
-    if (status /= RC_OK) return
+    if (status /= RC_OK) then
+      call rcf_mpi_contact_destroy(contact)
+      return
+    end if
     contact%nx = system%nx
-    status = rc_mpi_rows_f(int(comm%MPI_VAL, c_int32_t), system, contact%first, contact%count)
     contact%first = contact%first + 1
   end subroutine
 
   subroutine rcf_mpi_contact_destroy(contact)
     type(rcf_mpi_contact), intent(inout) :: contact
-    call rc_mpi_contact_destroy(contact%handle)
+    call rc_contact_destroy(contact%handle)
+    call rc_mpi_exchange_destroy(contact%exchange)
     contact = rcf_mpi_contact()
   end subroutine
 
@@ -74,7 +87,7 @@ contains
     integer(rc_status) :: status
     if (.not. rcf_prepared('rcf_mpi_contact_solve', contact%nx, contact%count, step, answer, bytes, approach, load, &
       undeformed_gap, mask, p0, warm_start, p, gap, stat, errmsg)) return
-    status = rc_mpi_contact_solve(contact%handle, step, answer)
+    status = rc_contact_solve(contact%handle, step, answer)
     if (present(result)) result = answer
     call rcf_check(status, stat, errmsg)
   end subroutine
@@ -96,7 +109,7 @@ contains
     integer(rc_status) :: status
     if (.not. rcf_prepared('rcf_mpi_contact_certify', contact%nx, contact%count, step, answer, bytes, approach, load, &
       undeformed_gap, mask, p=p, gap=gap, stat=stat, errmsg=errmsg)) return
-    status = rc_mpi_contact_certify(contact%handle, step, answer)
+    status = rc_contact_certify(contact%handle, step, answer)
     if (present(result)) result = answer
     call rcf_check(status, stat, errmsg)
   end subroutine
@@ -107,6 +120,6 @@ contains
     type(rc_ranks_counts), intent(out) :: counts
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    call rcf_check(rc_mpi_contact_counts(contact%handle, counts), stat, errmsg)
+    call rcf_check(rc_ranks_contact_counts(contact%handle, counts), stat, errmsg)
   end subroutine
 end module

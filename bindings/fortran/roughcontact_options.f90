@@ -5,10 +5,17 @@ module roughcontact_options
   use roughcontact_strings
   implicit none
   private
-  public :: rcf_options_create, rcf_options_copy, rcf_options_destroy, rcf_options_set_int, rcf_options_set_real, &
-    rcf_options_set_text, rcf_options_parse, rcf_options_get_int, rcf_options_get_real, rcf_options_get_text, &
-    rcf_options_describe, rcf_context_create, rcf_context_destroy, rcf_backend_describe, rcf_solver_describe, rcf_kernel_describe, &
-    rcf_option_default, rcf_pair_supported, rcf_kernel_coefficients, rcf_version, rcf_or_null
+  public :: rcf_options_create, rcf_options_copy, rcf_options_destroy, rcf_options_set, rcf_options_get, rcf_context_create, &
+    rcf_context_destroy, rcf_component_describe, rcf_option_default, rcf_pair_supported, rcf_kernel_coefficients, rcf_version, &
+    rcf_or_null
+
+  ! (options, key, value, [stat, errmsg]): a text is read as the option's type needs it.
+  interface rcf_options_set
+    procedure set_integer, set_number, set_text
+  end interface
+  interface rcf_options_get
+    procedure get_number, get_text
+  end interface
 
 contains
 
@@ -91,25 +98,25 @@ contains
     options = c_null_ptr
   end subroutine
 
-  subroutine rcf_options_set_int(options, key, value, stat, errmsg)
+  subroutine set_integer(options, key, value, stat, errmsg)
     type(c_ptr), intent(in) :: options
     character(*), intent(in) :: key
     integer, intent(in) :: value
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    call rcf_check(rc_options_set_int(options, rc_to_c(key), int(value, c_int64_t)), stat, errmsg)
+    call set_number(options, key, real(value, c_double), stat, errmsg)
   end subroutine
 
-  subroutine rcf_options_set_real(options, key, value, stat, errmsg)
+  subroutine set_number(options, key, value, stat, errmsg)
     type(c_ptr), intent(in) :: options
     character(*), intent(in) :: key
     real(c_double), intent(in) :: value
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    call rcf_check(rc_options_set_real(options, rc_to_c(key), value), stat, errmsg)
+    call rcf_check(rc_options_set_number(options, rc_to_c(key), value), stat, errmsg)
   end subroutine
 
-  subroutine rcf_options_set_text(options, key, value, stat, errmsg)
+  subroutine set_text(options, key, value, stat, errmsg)
     type(c_ptr), intent(in) :: options
     character(*), intent(in) :: key, value
     integer, intent(out), optional :: stat
@@ -117,36 +124,17 @@ contains
     call rcf_check(rc_options_set_text(options, rc_to_c(key), rc_to_c(value)), stat, errmsg)
   end subroutine
 
-  ! Any option from text, as an input file has it.
-  subroutine rcf_options_parse(options, key, text, stat, errmsg)
-    type(c_ptr), intent(in) :: options
-    character(*), intent(in) :: key, text
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call rcf_check(rc_options_parse(options, rc_to_c(key), rc_to_c(text)), stat, errmsg)
-  end subroutine
-
-  subroutine rcf_options_get_int(options, key, value, stat, errmsg)
-    type(c_ptr), intent(in) :: options
-    character(*), intent(in) :: key
-    integer(c_int64_t), intent(out) :: value
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    value = 0
-    call rcf_check(rc_options_get_int(options, rc_to_c(key), value), stat, errmsg)
-  end subroutine
-
-  subroutine rcf_options_get_real(options, key, value, stat, errmsg)
+  subroutine get_number(options, key, value, stat, errmsg)
     type(c_ptr), intent(in) :: options
     character(*), intent(in) :: key
     real(c_double), intent(out) :: value
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     value = 0
-    call rcf_check(rc_options_get_real(options, rc_to_c(key), value), stat, errmsg)
+    call rcf_check(rc_options_get_number(options, rc_to_c(key), value), stat, errmsg)
   end subroutine
 
-  subroutine rcf_options_get_text(options, key, value, stat, errmsg)
+  subroutine get_text(options, key, value, stat, errmsg)
     type(c_ptr), intent(in) :: options
     character(*), intent(in) :: key
     character(:), allocatable, intent(out) :: value
@@ -166,7 +154,7 @@ contains
     real(c_double), intent(in), optional :: given
     real(c_double) :: value
     type(c_ptr) :: options
-    integer(c_int64_t) :: whole
+    integer(rc_status) :: status
     value = 0
     if (present(given)) then
       value = given
@@ -174,49 +162,21 @@ contains
     end if
     options = c_null_ptr
     if (rc_options_create(c_null_ptr, options) /= RC_OK) return
-    whole = 0
-    if (rc_options_get_real(options, rc_to_c(key), value) /= RC_OK) then
-      if (rc_options_get_int(options, rc_to_c(key), whole) == RC_OK) value = real(whole, c_double)
-    end if
+    status = rc_options_get_number(options, rc_to_c(key), value)
+    if (status /= RC_OK) value = 0
     call rc_options_destroy(options)
   end function
 
-  ! Option i = 1 .. rc_options_count(c_null_ptr) of the schema. Members of spec are C strings: rc_from_c(spec%key).
-  subroutine rcf_options_describe(i, spec, context, stat, errmsg)
-    integer, intent(in) :: i
-    type(rc_option_spec), intent(out) :: spec
-    type(c_ptr), intent(in), optional :: context
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call rcf_check(rc_options_describe(rcf_or_null(context), int(i - 1, c_int64_t), spec), stat, errmsg)
-  end subroutine
-
-  ! Backend i = 1 .. rc_backend_count(c_null_ptr); solvers and kernels likewise. rc_from_c(component%name).
-  subroutine rcf_backend_describe(i, component, context, stat, errmsg)
+  ! Component i = 1 .. rc_component_count(c_null_ptr, kind) of a kind, RC_COMPONENT_*. Members are C strings:
+  ! rc_from_c(component%name).
+  subroutine rcf_component_describe(kind, i, component, context, stat, errmsg)
+    integer(c_int32_t), intent(in) :: kind
     integer, intent(in) :: i
     type(rc_component), intent(out) :: component
     type(c_ptr), intent(in), optional :: context
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    call rcf_check(rc_backend_describe(rcf_or_null(context), int(i - 1, c_int64_t), component), stat, errmsg)
-  end subroutine
-
-  subroutine rcf_solver_describe(i, component, context, stat, errmsg)
-    integer, intent(in) :: i
-    type(rc_component), intent(out) :: component
-    type(c_ptr), intent(in), optional :: context
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call rcf_check(rc_solver_describe(rcf_or_null(context), int(i - 1, c_int64_t), component), stat, errmsg)
-  end subroutine
-
-  subroutine rcf_kernel_describe(i, component, context, stat, errmsg)
-    integer, intent(in) :: i
-    type(rc_component), intent(out) :: component
-    type(c_ptr), intent(in), optional :: context
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call rcf_check(rc_kernel_describe(rcf_or_null(context), int(i - 1, c_int64_t), component), stat, errmsg)
+    call rcf_check(rc_component_describe(rcf_or_null(context), kind, int(i - 1, c_int64_t), component), stat, errmsg)
   end subroutine
 
   ! Whether this solver can run on this backend for this system and control; if not, errmsg says why.

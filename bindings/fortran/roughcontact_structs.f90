@@ -42,7 +42,7 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_result
-    integer(c_size_t) :: struct_size = merge(976, 956, c_intptr_t == 8)
+    integer(c_size_t) :: struct_size = merge(1016, 996, c_intptr_t == 8)
     type(rc_array) :: p = rc_array(), gap = rc_array()
     integer(rc_status) :: status = RC_ERR_ARGUMENT
     integer(c_int32_t) :: homogeneous = 0
@@ -55,15 +55,11 @@ module roughcontact_structs
     real(c_double) :: stiffness = 0, stiffness_lower = 0, stiffness_upper = 0, punch_stiffness = 0
     integer(c_int64_t) :: capped = 0
     real(c_double) :: plastic_volume = 0
-    integer(c_int64_t) :: proven_capped = 0, points = 0, candidates = 0, modelled = 0, iterations = 0, products = 0, levels = 0
+    integer(c_int64_t) :: proven_capped = 0, model_nx = 0, model_ny = 0
+    real(c_double) :: error_estimate = 0, area_estimate = 0, left_out = 0
+    integer(c_int64_t) :: points = 0, candidates = 0, modelled = 0, iterations = 0, products = 0, levels = 0
     real(c_double) :: seconds = 0, setup_seconds = 0
     character(kind=c_char) :: solver(32) = c_null_char, backend(32) = c_null_char, kernel(32) = c_null_char, note(512) = c_null_char
-  end type
-
-  type, bind(c) :: rc_accuracy
-    integer(c_size_t) :: struct_size = merge(48, 44, c_intptr_t == 8)
-    integer(c_int64_t) :: model_nx = 0, model_ny = 0
-    real(c_double) :: error_estimate = 0, area_estimate = 0, left_out = 0
   end type
 
   type, bind(c) :: rc_progress
@@ -242,13 +238,10 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_component
-    integer(c_size_t) :: struct_size = merge(40, 20, c_intptr_t == 8)
-    type(c_ptr) :: name = c_null_ptr, summary = c_null_ptr, license = c_null_ptr, origin = c_null_ptr  ! const char *
-  end type
-
-  type, bind(c) :: rc_option_spec
-    integer(c_size_t) :: struct_size = merge(64, 44, c_intptr_t == 8)
-    type(c_ptr) :: key = c_null_ptr, default_value = c_null_ptr, choices = c_null_ptr, help = c_null_ptr  ! const char *
+    integer(c_size_t) :: struct_size = merge(80, 52, c_intptr_t == 8)
+    ! const char *
+    type(c_ptr) :: name = c_null_ptr, summary = c_null_ptr, license = c_null_ptr, origin = c_null_ptr, default_value = c_null_ptr, &
+      choices = c_null_ptr
     integer(c_int32_t) :: type = 0, fixed = 0
     real(c_double) :: minimum = 0, maximum = 0
   end type

@@ -25,7 +25,6 @@ typedef struct Request {
   rc_request* request; /* what they mean */
   rc_problem_view view;
   rc_options* options;
-  rc_accuracy accuracy; /* out */
   rc_gradient gradient; /* of a certified answer, where it is asked for */
   bool asks_gradient;
   mxArray* by_gap;   /* what it writes; NULL: none was computed */
@@ -180,7 +179,6 @@ static rc_status solve(Request* request, rc_const_array p0, double* p, double* g
   keep_message(request, status);
   const char* why = NULL;
   if (status >= 0 && rc_contact_explain(contact, &why) == RC_OK) request->explanation = strcpy(mxMalloc(strlen(why) + 1), why);
-  if (status >= 0) rc_contact_accuracy(contact, &request->accuracy);
   if (status == RC_OK && request->asks_gradient) {
     request->by_gap = mxCreateDoubleMatrix((size_t)system->nx, (size_t)system->ny, mxREAL);
     request->gradient.dJ_dundeformed_gap = RC_OUT(mxGetPr(request->by_gap));
@@ -266,17 +264,16 @@ static mxArray* gradient_of(const Request* request) {
 }
 
 static mxArray* info_of(const rc_result* result, const Request* request, mxArray* gap) {
-  const rc_accuracy* accuracy = &request->accuracy;
   static const char* names[] = {
-#define NUMBER(from, name) #name,
-#define TEXT(from, name) #name,
+#define NUMBER(name) #name,
+#define TEXT(name) #name,
 #include "result_fields.def"
 #undef NUMBER
 #undef TEXT
       "status_name", "status_text", "message", "explanation", "gap", "gradient", "flow"};
   mxArray* info = mxCreateStructMatrix(1, 1, sizeof names / sizeof *names, names);
-#define NUMBER(from, name) mxSetField(info, 0, #name, mxCreateDoubleScalar((double)from->name));
-#define TEXT(from, name) mxSetField(info, 0, #name, mxCreateString(from->name));
+#define NUMBER(name) mxSetField(info, 0, #name, mxCreateDoubleScalar((double)result->name));
+#define TEXT(name) mxSetField(info, 0, #name, mxCreateString(result->name));
 #include "result_fields.def"
 #undef NUMBER
 #undef TEXT
@@ -293,8 +290,7 @@ static mxArray* info_of(const rc_result* result, const Request* request, mxArray
 void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
   if (nrhs != 2) mexErrMsgIdAndTxt("roughcontact:RC_ERR_ARGUMENT", "usage: [p, info] = rc_solve(z, opts)");
   const size_t nx = mxGetM(prhs[0]), ny = mxGetN(prhs[0]);
-  Request request = {
-      .map = RC_MAP_INIT, .view = RC_PROBLEM_VIEW_INIT, .accuracy = RC_ACCURACY_INIT, .gradient = RC_GRADIENT_INIT};
+  Request request = {.map = RC_MAP_INIT, .view = RC_PROBLEM_VIEW_INIT, .gradient = RC_GRADIENT_INIT};
   request.map.word = "surface";
   request.map.nx = (int64_t)nx;
   request.map.ny = (int64_t)ny;

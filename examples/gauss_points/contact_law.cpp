@@ -24,10 +24,10 @@ ContactLaw::ContactLaw(const rc_system& system, const std::vector<double>& heigh
   rc_options* created = nullptr;
   check(rc_options_create(nullptr, &created));
   options_.reset(created);
-  check(rc_options_set_int(created, RC_OPT_STIFFNESS, 1));
-  check(rc_options_set_int(created, RC_OPT_RESUMABLE, 1));  // between trials a contact keeps pressures and no factors
-  check(rc_options_set_real(created, RC_OPT_TOL, 1e-10));
-  for (const auto& [key, value] : options) check(rc_options_parse(created, key.c_str(), value.c_str()));
+  check(rc_options_set_number(created, RC_OPT_STIFFNESS, 1));
+  check(rc_options_set_number(created, RC_OPT_RESUMABLE, 1));  // between trials a contact keeps pressures and no factors
+  check(rc_options_set_number(created, RC_OPT_TOL, 1e-10));
+  for (const auto& [key, value] : options) check(rc_options_set_text(created, key.c_str(), value.c_str()));
   rc_contact* contact = nullptr;
   check(rc_contact_create(&system, created, &contact));
   contact_.reset(contact);

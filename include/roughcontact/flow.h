@@ -87,11 +87,11 @@ typedef struct rc_flow_result {
  * where the first is), SHAPE, MEMORY. */
 RC_API rc_status rc_flow_solve(const rc_flow_spec* spec, rc_flow_result* out);
 /** The flow through the gap of a contact, whose step gave result, with p and gap as doubles in the host's memory. The gap's error
- *  is result->gap_error, with spec->load it follows from result->duality_gap, see docs/development/flow.md; where these are NaN, the
+ * is result->gap_error, with spec->load it follows from result->duality_gap, see docs/development/flow.md; where these are NaN, the
  * interval is 0 to infinity. Closed: points proven in contact, those at the hardness among them, and excluded points. system:
  * HALFSPACE or DENSE. options: the contact's, for the product by which spec->load finds the largest deflection under a unit
- * pressure; may be NULL. The interval does not count errors of backends beyond 2e-11 of the approach. With spec->load the system must have no hardness. Errors: as
- * rc_flow_solve; INCOMPATIBLE and those of rc_product_create. */
+ * pressure; may be NULL. The interval does not count errors of backends beyond 2e-11 of the approach. With spec->load the system
+ * must have no hardness. Errors: as rc_flow_solve; INCOMPATIBLE and those of rc_product_create. */
 RC_API rc_status rc_flow_of_result(const rc_system* system, const rc_options* options, const rc_result* result,
                                    const rc_flow_spec* spec, rc_flow_result* out);
 /** @} */

@@ -10,8 +10,8 @@ extern "C" {
 
 /** @defgroup history History: steps of one contact in order  @{ */
 /** Called after each completed step 0 .. n-1 of a history, on the solving thread, with pressures and gap that last until
- *  it returns. May call only rc_contact_cancel, and rc_contact_accuracy and rc_contact_points, which answer for this step. Return
- *  nonzero to end the history. Must return: no exception, no longjmp. */
+ *  it returns. May call only rc_contact_cancel, and rc_contact_points, which answers for this step. Return nonzero to end the
+ *  history. Must return: no exception, no longjmp. */
 typedef int32_t (*rc_history_fn)(int64_t step, const rc_result *result, void *user);
 
 /** Numbers of steps: of each that a caller wants, an array with one value a step, double unless said otherwise. */

@@ -4,13 +4,16 @@
  * MPI_THREAD_FUNNELED or more where option threads is above 1. Pressures and every number of a result are the same, bit for bit,
  * for every number of ranks and threads.
  *
+ *   rc_exchange exchange = RC_EXCHANGE_INIT;
+ *   rc_mpi_exchange_create(MPI_COMM_WORLD, &exchange);
  *   int64_t first, count;
- *   rc_mpi_rows(MPI_COMM_WORLD, &system, &first, &count);
+ *   rc_ranks_rows(&exchange, &system, &first, &count);
  *   // gap: rows first .. first + count - 1, count * nx values; likewise p
- *   rc_mpi_contact *contact;
- *   rc_mpi_contact_create(MPI_COMM_WORLD, &system, NULL, &contact);
- *   rc_mpi_contact_solve(contact, &step, &result);
- *   rc_mpi_contact_destroy(contact);
+ *   rc_contact *contact;
+ *   rc_ranks_contact_create(&exchange, &system, NULL, &contact);
+ *   rc_contact_solve(contact, &step, &result);
+ *   rc_contact_destroy(contact);
+ *   rc_mpi_exchange_destroy(&exchange);
  *
  * rc_last_error() has the message of the last failure, on every rank the same. */
 #ifndef ROUGHCONTACT_MPI_H
@@ -24,35 +27,17 @@
 extern "C" {
 #endif
 
-/** @defgroup mpi MPI: a contact shared by the ranks of a communicator  @{ */
-/** A contact of which this rank has some rows. Used by the thread that MPI allows to call it. */
-typedef struct rc_mpi_contact rc_mpi_contact;
-
-/** The rows of this rank: first .. first + count - 1, in the order of ranks. No communication. Rows are
- *  distributed in pieces of 2^k, k = min(5, log2(ny) / 2) rounded down, so a rank may have none. Errors: ARGUMENT (also null
- *  communicators and intercommunicators). */
-RC_API rc_status rc_mpi_rows(MPI_Comm comm, const rc_system *system, int64_t *first, int64_t *count);
-
-/** Every rank of the communicator calls the functions below, with its own rows in the arrays (n = nx * count values) and the same
- *  values in all else. Arrays of a rank without rows are not read. If one rank fails, all return its status, and the message
- *  begins with its number. The communicator is duplicated. Options and other failures: see
- *  rc_ranks_contact_create. */
-RC_API rc_status rc_mpi_contact_create(MPI_Comm comm, const rc_system *system, const rc_options *options, rc_mpi_contact **out);
-/** Frees the duplicate of the communicator, so all ranks call it before MPI_Finalize. NULL is ignored. */
-RC_API void rc_mpi_contact_destroy(rc_mpi_contact *contact);
-/** As rc_contact_solve. All members of the result but p and gap are those of the whole grid, and except for seconds the same on
- *  every rank. Errors: as rc_contact_solve, EXTERNAL. */
-RC_API rc_status rc_mpi_contact_solve(rc_mpi_contact *contact, const rc_step *step, rc_result *result);
-/** As rc_contact_solve_history. */
-RC_API rc_status rc_mpi_contact_solve_history(rc_mpi_contact *contact, rc_history *path);
-/** As rc_contact_certify. */
-RC_API rc_status rc_mpi_contact_certify(rc_mpi_contact *contact, const rc_step *step, rc_result *result);
-/** Numbers and bytes of this rank's exchanges since the contact was created. No communication. Errors: ARGUMENT. */
-RC_API rc_status rc_mpi_contact_counts(rc_mpi_contact *contact, rc_ranks_counts *out);
-
+/** @defgroup mpi MPI: the exchange of ranks.h over a communicator  @{ */
+/** Fills *out, an RC_EXCHANGE_INIT, with an exchange between the ranks of a communicator, which all call this function. The
+ *  communicator is duplicated. Contacts made from the exchange use it until they are destroyed, on the thread that MPI allows to
+ *  call it. If it fails, out->refused says why, and rc_ranks_rows and rc_ranks_contact_create fail with the same message.
+ *  Errors: ARGUMENT (MPI is not initialised, a null communicator, an intercommunicator, no memory on a rank). */
+RC_API rc_status rc_mpi_exchange_create(MPI_Comm comm, rc_exchange *out);
 /** The same for a communicator's Fortran handle: MPI_Comm_c2f(comm) in C, comm%MPI_VAL in Fortran, comm.py2f() in mpi4py. */
-RC_API rc_status rc_mpi_rows_f(MPI_Fint comm, const rc_system *system, int64_t *first, int64_t *count);
-RC_API rc_status rc_mpi_contact_create_f(MPI_Fint comm, const rc_system *system, const rc_options *options, rc_mpi_contact **out);
+RC_API rc_status rc_mpi_exchange_create_f(MPI_Fint comm, rc_exchange *out);
+/** After the contacts made from it. Frees the duplicate of the communicator, so all ranks call it before MPI_Finalize. NULL, an
+ *  exchange that was not created and one that is destroyed already: nothing happens. */
+RC_API void rc_mpi_exchange_destroy(rc_exchange *exchange);
 /** @} */
 
 #ifdef __cplusplus

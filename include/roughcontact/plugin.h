@@ -27,6 +27,19 @@
 extern "C" {
 #endif
 
+/** An option that a component declares. All of it lives as long as the component. */
+typedef struct rc_option_spec {
+  size_t struct_size;
+  const char *key;
+  const char *default_value; /* as text                                                                        */
+  const char *choices;       /* TEXT: "a|b|c", NULL: any text                                                  */
+  const char *help;          /* one line                                                                       */
+  int32_t type;              /* RC_TYPE_*                                                                      */
+  int32_t fixed;             /* 1: cannot change after rc_contact_create                                       */
+  double minimum, maximum;   /* INT and REAL, inclusive                                                        */
+} rc_option_spec;
+#define RC_OPTION_SPEC_INIT RC_BEGIN(rc_option_spec)
+
 /** Services of the core. Valid as long as the component lives. Every function is thread-safe. */
 typedef struct rc_host rc_host;
 struct rc_host {

@@ -1,6 +1,8 @@
 /* roughcontact: one contact shared by many processes, each with some rows of the grid. This header has no means of exchange: the
  * caller supplies three functions. <roughcontact/mpi.h> has those of MPI, and is what most programs include.
  *
+ * A shared contact is solved by the functions of every contact: rc_contact_solve, rc_contact_solve_history, rc_contact_certify.
+ *
  * Pressures and every number of a result are the same, bit for bit, for every number of processes and threads. */
 #ifndef ROUGHCONTACT_RANKS_H
 #define ROUGHCONTACT_RANKS_H
@@ -29,9 +31,6 @@ typedef struct rc_exchange {
 } rc_exchange;
 #define RC_EXCHANGE_INIT RC_BEGIN_WITH(rc_exchange, ranks = 1)
 
-/** A contact of which this process has some rows. One thread at a time. */
-typedef struct rc_ranks_contact rc_ranks_contact;
-
 /** Numbers and bytes of this rank's exchanges since the contact was created. */
 typedef struct rc_ranks_counts {
   size_t struct_size;
@@ -48,32 +47,27 @@ typedef struct rc_ranks_counts {
 } rc_ranks_counts;
 #define RC_RANKS_COUNTS_INIT RC_BEGIN(rc_ranks_counts)
 
-/** The rows of the system's grid that a rank has: first .. first + count - 1 of ny, in the order of ranks. Rows are distributed in
- *  pieces of 2^k, k = min(5, log2(ny) / 2) rounded down, so a rank may have none. Errors: ARGUMENT. */
-RC_API rc_status rc_ranks_rows(int64_t rank, int64_t ranks, const rc_system *system, int64_t *first, int64_t *count);
+/** The rows of the system's grid that this rank has: first .. first + count - 1 of ny, in the order of ranks. Rows are distributed
+ *  in pieces of 2^k, k = min(5, log2(ny) / 2) rounded down, so a rank may have none. No communication; the functions of exchange
+ *  may be NULL. Errors: ARGUMENT, SHAPE. */
+RC_API rc_status rc_ranks_rows(const rc_exchange *exchange, const rc_system *system, int64_t *first, int64_t *count);
 
-/** Every rank calls these functions, with its own rows in the arrays (iy counts from its first row, n = nx * count) and the same
- *  values in all else. Arrays of a rank without rows are not read. If one rank fails, all return its status, and the message
- *  begins with its number. If the time limit or the flag of rc_stop_when ends the call of one rank, it ends the calls of all.
+/** A contact of which this rank has some rows. All ranks call this function, and then rc_contact_solve, rc_contact_solve_history
+ *  and rc_contact_certify, at the same time, with their own rows in the arrays (iy counts from a rank's first row, n = nx * count)
+ *  and the same values in all else. Arrays of a rank without rows are not read. Except for p and gap, a result is that of the whole
+ *  grid, and except for seconds the same on every rank. If one rank fails, all return its status, and the message begins with its
+ *  number; rc_contact_cancel, the flag of rc_stop_when and the time limit of one rank end the calls of all. One rank may call
+ *  rc_contact_destroy without the others. Other functions refuse a shared contact: INCOMPATIBLE.
  *
  *  system: a half-space. If its smaller side is below 32 points, every rank solves the whole problem. Every rank also solves sparse
  *  contact, on gathered tiles, in periodic systems with products of all ranks. Different systems, options or versions are refused:
  *  ARGUMENT. options: as for rc_contact_create; threads: of each rank. `solver` must be auto or haar-cg, `backend` auto or one that
  *  works on rows (fft), `accuracy` 0, `certify_backend` and `warmup` not set: else INCOMPATIBLE. All of exchange but what user
- *  points to is copied. Errors: as rc_contact_create, EXTERNAL. */
+ *  points to is copied. Errors: as rc_contact_create, EXTERNAL (the exchange failed), as have the three functions above. */
 RC_API rc_status rc_ranks_contact_create(const rc_exchange *exchange, const rc_system *system, const rc_options *options,
-                                         rc_ranks_contact **out);
-/** One rank may call it without the others. */
-RC_API void rc_ranks_contact_destroy(rc_ranks_contact *contact);
-/** As rc_contact_solve, with local rows in step and result. Except for p and gap, the result is that of the whole grid, and except
- *  for seconds the same on every rank. Errors: as rc_contact_solve, EXTERNAL. */
-RC_API rc_status rc_ranks_contact_solve(rc_ranks_contact *contact, const rc_step *step, rc_result *result);
-/** As rc_contact_solve_history, with local rows. */
-RC_API rc_status rc_ranks_contact_solve_history(rc_ranks_contact *contact, rc_history *path);
-/** As rc_contact_certify, with local rows. */
-RC_API rc_status rc_ranks_contact_certify(rc_ranks_contact *contact, const rc_step *step, rc_result *result);
-/** Errors: ARGUMENT. */
-RC_API rc_status rc_ranks_contact_counts(rc_ranks_contact *contact, rc_ranks_counts *out);
+                                         rc_contact **out);
+/** No communication. Errors: ARGUMENT, INCOMPATIBLE (no ranks share the contact), BUSY. */
+RC_API rc_status rc_ranks_contact_counts(rc_contact *contact, rc_ranks_counts *out);
 /** @} */
 
 #ifdef __cplusplus

@@ -26,29 +26,23 @@ typedef struct rc_context_config {
 } rc_context_config;
 #define RC_CONTEXT_CONFIG_INIT RC_BEGIN(rc_context_config)
 
-/** Described by rc_backend_describe, rc_solver_describe, rc_kernel_describe. Strings live as long as the context. */
+/* What a context lists. */
+enum { RC_COMPONENT_SOLVER = 1, RC_COMPONENT_BACKEND = 2, RC_COMPONENT_KERNEL = 3, RC_COMPONENT_OPTION = 4 };
+enum { RC_TYPE_INT = 1, RC_TYPE_REAL = 2, RC_TYPE_TEXT = 3 };
+/** A component, or an option, which has the members from default_value on. Strings live as long as the context. */
 typedef struct rc_component {
   size_t struct_size;
-  const char *name;
-  const char *summary;
-  const char *license;     /* of the component with what it links (SPDX); "" for the library's kernels               */
-  const char *origin;      /* "built-in" or the file it was loaded from                                              */
-} rc_component;
-#define RC_COMPONENT_INIT RC_BEGIN(rc_component)
-
-enum { RC_TYPE_INT = 1, RC_TYPE_REAL = 2, RC_TYPE_TEXT = 3 };
-/** Schema of one option. Strings live as long as the context. */
-typedef struct rc_option_spec {
-  size_t struct_size;
-  const char *key;
+  const char *name;        /* of an option: its key                                                                  */
+  const char *summary;     /* one line                                                                               */
+  const char *license;     /* of the component with what it links (SPDX); "" for the library's kernels and options   */
+  const char *origin;      /* "built-in" or the file it was loaded from; "" for options                              */
   const char *default_value; /* as text                                                                              */
   const char *choices;     /* TEXT: "a|b|c", NULL: any text                                                          */
-  const char *help;        /* one line                                                                               */
   int32_t type;            /* RC_TYPE_*                                                                              */
   int32_t fixed;           /* 1: cannot change after rc_contact_create                                               */
   double minimum, maximum; /* INT and REAL, inclusive                                                                */
-} rc_option_spec;
-#define RC_OPTION_SPEC_INIT RC_BEGIN(rc_option_spec)
+} rc_component;
+#define RC_COMPONENT_INIT RC_BEGIN(rc_component)
 
 /** @defgroup context Context: the registry  @{ */
 /** A registry of its own. config may be NULL. Errors: ARGUMENT, MEMORY. The result is destroyed by the caller. */
@@ -56,16 +50,14 @@ RC_API rc_status rc_context_create(const rc_context_config *config, rc_context *
 /** NULL is allowed. Contacts and options made from it keep what they need, and may call its log until they are
  *  destroyed. */
 RC_API void rc_context_destroy(rc_context *context);
-/** Components by number 0 .. count-1, sorted by name. A NULL context is the default one. The first call loads
- *  every plugin of the search path; files that are refused are reported to the context's log as warnings. A plugin that
+/** How many components of a kind, RC_COMPONENT_*, the context has; 0 for another kind. A NULL context is the default one. The first
+ *  call loads every plugin of the search path; files that are refused are reported to the context's log as warnings. A plugin that
  *  itself refuses, for example because the machine has no device, is reported as RC_LOG_INFO. */
-RC_API int64_t rc_backend_count(rc_context *context);
-RC_API rc_status rc_backend_describe(rc_context *context, int64_t i, rc_component *out);
-RC_API int64_t rc_solver_count(rc_context *context);
-RC_API rc_status rc_solver_describe(rc_context *context, int64_t i, rc_component *out);
-RC_API int64_t rc_kernel_count(rc_context *context);
-RC_API rc_status rc_kernel_describe(rc_context *context, int64_t i, rc_component *out);
-/** RC_OK if this solver can run on this backend for this system and control; otherwise the status that
+RC_API int64_t rc_component_count(rc_context *context, int32_t kind);
+/** Component i, 0 .. count-1. Solvers, backends and kernels are sorted by name; options are the core's keys, then those of every
+ *  component. Errors: ARGUMENT. */
+RC_API rc_status rc_component_describe(rc_context *context, int32_t kind, int64_t i, rc_component *out);
+/** RC_OK if this solver can run on this backend for this system and control, RC_CONTROL_*; otherwise the status that
  *  rc_contact_solve would give, with the reason in rc_last_error(). options may be NULL. */
 RC_API rc_status rc_pair_supported(rc_context *context, const char *solver, const char *backend, const rc_system *system,
                                    int32_t control, const rc_options *options);
@@ -77,14 +69,11 @@ RC_API rc_status rc_pair_supported(rc_context *context, const char *solver, cons
 RC_API rc_status rc_kernel_coefficients(const char *kernel, double hx, double hy, int64_t nx, int64_t ny, double *out);
 /** @} */
 
-/** @defgroup schema Schema: the list of options  @{ */
+/** @defgroup cores Cores of the process  @{ */
 /** Cores that this process may keep busy, 1 .. 1024, the default of option threads in the command and in Python: those that its
  *  threads may run on, or `allowed` if that is above 0; at most the time that control groups grant it (rounded up), and the first
  *  numbers of OMP_THREAD_LIMIT and OMP_NUM_THREADS. Variables that are no lists of whole numbers above 0 are ignored. */
 RC_API int64_t rc_usable_cores(int64_t allowed);
-/** The schema, 0 .. count-1: the core's keys, then those of every component. */
-RC_API int64_t rc_options_count(rc_context *context);
-RC_API rc_status rc_options_describe(rc_context *context, int64_t i, rc_option_spec *out);
 /** @} */
 
 #ifdef __cplusplus

@@ -44,7 +44,7 @@ enum {
   RC_WORD_NUMBER = 6,
   RC_WORD_NAME = 7,     /* one of rc_word.choices, or any where there are none                                       */
   RC_WORD_SHAPE = 8,    /* "sphere:R=1mm", or an rc_map                                                              */
-  RC_WORD_OPTION = 9    /* of the library, see rc_options_describe                                                   */
+  RC_WORD_OPTION = 9    /* of the library, see rc_component_describe                                                 */
 };
 
 /** A word. The texts live as long as the library. */
@@ -164,7 +164,7 @@ RC_API int64_t rc_request_option_count(const rc_request *request);
 /** index: 0 .. count - 1. *key, *text: live as long as the request. Errors: ARGUMENT. */
 RC_API rc_status rc_request_option(const rc_request *request, int64_t index, const char **key, const char **text);
 
-/** Sets these options. Errors: as rc_options_parse. */
+/** Sets these options. Errors: as rc_options_set_text. */
 RC_API rc_status rc_request_options(const rc_request *request, rc_options *into);
 
 /* Remarks. */

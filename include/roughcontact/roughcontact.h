@@ -108,7 +108,7 @@ typedef int32_t rc_status;
 enum {
   RC_OK = 0,                /* certified: every kkt_* residual is <= rc_result.tolerance                             */
   RC_WITHIN_GOAL = 100,     /* option accuracy is met, by the library's estimate, without a solve of the whole grid:
-                               a coarser grid's certified answer, corrected on it; see rc_contact_accuracy           */
+                               a coarser grid's certified answer, corrected on it; see rc_result.model_nx            */
   RC_STOP_MAX_ITER = 101,   /* max_iter reached before the tolerance                                                 */
   RC_STOP_TIME = 102,       /* time_limit reached                                                                    */
   RC_STOP_CANCELLED = 103,  /* a progress callback, rc_contact_cancel or the flag of rc_stop_when asked to stop      */
@@ -255,7 +255,18 @@ RC_API rc_status rc_gap_from_heights(int64_t n, rc_const_array heights, rc_const
 
 /** @defgroup result Result  @{ */
 /** Answer of one step. The caller sets p and gap; the library writes what they point to and the rest whenever the returned status
- *  is >= 0, and leaves both arrays untouched when it is < 0. */
+ *  is >= 0, and leaves both arrays untouched when it is < 0.
+ *
+ *  With option accuracy the answer may come from a coarser grid, each of whose cells averages a block of 2^k by 2^k points:
+ *    member                     RC_WITHIN_GOAL                                    a step that stopped on a coarser grid
+ *    p                          coarser answer, a few steps on the whole grid     pressure of the point's block
+ *    gap                        of p                                              gap of the block; infinite: all masked
+ *    load, contacts, area       of p                                              of p
+ *    approach                   LOAD: estimated, see below                        coarser grid's
+ *    stiffness, solver, backend, tolerance   coarser grid's                       coarser grid's
+ *    kkt_* and all others       of p; kkt_* exceed the tolerance                  coarser grid's
+ *  Estimated approach: at it the mean of the gap, weighted by p, vanishes; p is scaled to the prescribed load. If the grid's end or
+ *  the mask cuts a block, its pressure is such that the load stays. */
 typedef struct rc_result {
   size_t struct_size;  /* sizeof(rc_result)                                                                          */
 
@@ -319,6 +330,14 @@ typedef struct rc_result {
   double plastic_volume; /* hx hy times the overlap of these points in this step [length^3]                          */
   int64_t proven_capped; /* points proven to carry the hardness; also counted in proven_contacts                     */
 
+  /* Grid of the answer and its estimated errors */
+  int64_t model_nx, model_ny; /* points of the grid that was solved: nx and ny, or a coarser one's                   */
+  double error_estimate; /* with option accuracy: estimated relative error of the load or area that accuracy.of names, against
+                          the answer on the whole grid; 0 on it; NaN without, and if a step stopped on a coarser grid */
+  double area_estimate; /* the same for contact_area; a goal of the load does not bound it                           */
+  double left_out;     /* rms of the undeformed gap less its block's mean, over the points in contact [length]; 0 on the
+                          whole grid                                                                                 */
+
   /* Work */
   int64_t points;      /* n, as given                                                                                */
   int64_t candidates;  /* points that can carry pressure at this approach (h < d; all points where H has
@@ -339,28 +358,6 @@ typedef struct rc_result {
                           replaced, remarks of the solver; whole remarks, and how many more there are; "" if none    */
 } rc_result;
 #define RC_RESULT_INIT RC_BEGIN_WITH(rc_result, status = RC_ERR_ARGUMENT)
-
-/** The grid of an answer, and its estimated errors. Each cell of a coarser grid averages a block of 2^k by 2^k points of the whole
- *  one. What rc_result then has depends on where the answer comes from:
- *    member                     RC_WITHIN_GOAL                                    a step that stopped on a coarser grid
- *    p                          coarser answer, a few steps on the whole grid     pressure of the point's block
- *    gap                        of p                                              gap of the block; infinite: all masked
- *    load, contacts, area       of p                                              of p
- *    approach                   LOAD: estimated, see below                        coarser grid's
- *    stiffness, solver, backend, tolerance   coarser grid's                       coarser grid's
- *    kkt_* and all others       of p; kkt_* exceed the tolerance                  coarser grid's
- *  Estimated approach: at it the mean of the gap, weighted by p, vanishes; p is scaled to the prescribed load. If the grid's end or
- *  the mask cuts a block, its pressure is such that the load stays. */
-typedef struct rc_accuracy {
-  size_t struct_size;
-  int64_t model_nx, model_ny; /* points of the grid that was solved: nx and ny, or a coarser one's                   */
-  double error_estimate; /* with option accuracy: estimated relative error of the load or area that accuracy.of names, against
-                            the answer on the whole grid; 0 on it; NaN without, and if a step stopped on a coarser grid */
-  double area_estimate;  /* the same for contact_area; a goal of the load does not bound it                          */
-  double left_out;       /* rms of the undeformed gap less its block's mean, over the points in contact [length]; 0 on the
-                            whole grid                                                                               */
-} rc_accuracy;
-#define RC_ACCURACY_INIT RC_BEGIN(rc_accuracy)
 /** @} */
 
 /** @defgroup options Options: keys with a declared schema, checked when set
@@ -389,15 +386,14 @@ RC_API rc_status rc_options_create(rc_context *context, rc_options **out);
 /** A copy with the same values, in the same context. */
 RC_API rc_status rc_options_copy(const rc_options *options, rc_options **out);
 RC_API void rc_options_destroy(rc_options *options);
-/** Errors: OPTION with the nearest key, the type or the range in the message. A dotted key loads its component. */
-RC_API rc_status rc_options_set_int(rc_options *options, const char *key, int64_t value);
-RC_API rc_status rc_options_set_real(rc_options *options, const char *key, double value);
-RC_API rc_status rc_options_set_text(rc_options *options, const char *key, const char *value);
-/** Converts the text by the key's type; a point is the decimal mark in every locale. */
-RC_API rc_status rc_options_parse(rc_options *options, const char *key, const char *text);
-RC_API rc_status rc_options_get_int(const rc_options *options, const char *key, int64_t *out);
-RC_API rc_status rc_options_get_real(const rc_options *options, const char *key, double *out);
-/** *out lives until the key is next set or the options are destroyed. */
+/** Sets an option whose value is a number; an integer's has no fraction. A dotted key loads its component. Errors: OPTION with the
+ *  nearest key, the type or the range in the message. */
+RC_API rc_status rc_options_set_number(rc_options *options, const char *key, double value);
+/** Sets an option of any type: numbers are read from the text, with a point as decimal mark in every locale. Errors: the same. */
+RC_API rc_status rc_options_set_text(rc_options *options, const char *key, const char *text);
+/** The value of an option that is a number, or the default. Errors: OPTION (also of a text). */
+RC_API rc_status rc_options_get_number(const rc_options *options, const char *key, double *out);
+/** The same for a text. *out lives until the key is next set or the options are destroyed. */
 RC_API rc_status rc_options_get_text(const rc_options *options, const char *key, const char **out);
 /** @} */
 
@@ -426,9 +422,6 @@ RC_API rc_status rc_contact_solve(rc_contact *contact, const rc_step *step, rc_r
 /** Certifies the pressures that the caller puts in result->p ([n]) for this step, without a solve. In load control the approach
  *  is the one that fits them best. RC_OK or RC_UNCERTIFIED. */
 RC_API rc_status rc_contact_certify(rc_contact *contact, const rc_step *step, rc_result *result);
-/** The grid of the last step's answer, and its estimated errors. An rc_history_fn may call it for the step that it
- *  receives. Errors: ARGUMENT (no answer: no step yet, or it failed), BUSY. */
-RC_API rc_status rc_contact_accuracy(rc_contact *contact, rc_accuracy *out);
 /** The contact set of the last step that was certified or within its goal, without arrays over all points: *n = how many
  *  points carry pressure (0: none, or no such step); the first `room` of them, point numbers iy*nx + ix in ascending order
  *  and pressures [force/length^2], into index (int64_t [room]) and p (double [room]), each of which may be none. An rc_history_fn

@@ -111,7 +111,7 @@ double punch_stiffness(const InputParameters& input) {
   const std::unique_ptr<rc_options, void (*)(rc_options*)> options(made, rc_options_destroy);
   if (status == RC_OK)
     status = rc_options_set_text(options.get(), RC_OPT_KERNEL, input.pressure_green_funct_flag ? "love" : "eq9");
-  if (status == RC_OK) status = rc_options_set_real(options.get(), RC_OPT_TOL, 1e-12);
+  if (status == RC_OK) status = rc_options_set_number(options.get(), RC_OPT_TOL, 1e-12);
   rc_system system = RC_SYSTEM_INIT;
   system.boundary = RC_BOUNDARY_FREE;
   system.nx = system.ny = input.topology.side;

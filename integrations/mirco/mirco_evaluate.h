@@ -67,8 +67,8 @@ void Evaluate(double& pressure, double& effectiveContactAreaFraction, double Del
   check(rc_options_create(nullptr, &made_options));
   const std::unique_ptr<rc_options, detail::Destroy> options(made_options);
   check(rc_options_set_text(options.get(), RC_OPT_KERNEL, PressureGreenFunFlag ? "love" : "eq9"));
-  check(rc_options_set_real(options.get(), RC_OPT_TOL, tolerance));
-  check(rc_options_set_int(options.get(), RC_OPT_STIFFNESS, 1));
+  check(rc_options_set_number(options.get(), RC_OPT_TOL, tolerance));
+  check(rc_options_set_number(options.get(), RC_OPT_STIFFNESS, 1));
   rc_system system = RC_SYSTEM_INIT;
   system.boundary = RC_BOUNDARY_FREE;
   system.nx = system.ny = side;

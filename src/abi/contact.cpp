@@ -8,23 +8,59 @@ namespace {
 
 using namespace rc;
 
+// This process's contact. Throws for one that ranks share.
+Contact& own(rc_contact& handle) {
+  if (auto* const contact = std::get_if<Contact>(&handle.contact)) return *contact;
+  fail(RC_ERR_INCOMPATIBLE, "ranks share the contact: it has rc_contact_solve, rc_contact_solve_history and rc_contact_certify");
+}
+
 template <class Body> rc_status exclusively(const char* where, rc_contact* contact, const Body& body) {
-  return rc::exclusively(where, contact, "contact", [&](rc_contact& entered) { return body(entered.contact); });
+  return rc::exclusively(where, contact, "contact", [&](rc_contact& entered) { return body(own(entered)); });
 }
 
 // The same, for functions that a callback of this contact may call.
 template <class Body> rc_status exclusively_or_inside(const char* where, rc_contact* contact, const Body& body) {
-  if (contact && contact->entrance.inside()) return guard(where, [&] { return body(contact->contact); });
+  if (contact && contact->entrance.inside()) return guard(where, [&] { return body(own(*contact)); });
   return exclusively(where, contact, body);
 }
 
-template <class Body> rc_status with_step(Contact& contact, const rc_step* step, rc_result* result, const Body& body) {
-  const rc_step asked = read_step(step);
-  rc_result answer = read_result(result);
+// The same, for functions that contacts shared by ranks have too.
+template <class Body> rc_status exclusively_any(const char* where, rc_contact* contact, const Body& body) {
+  return rc::exclusively(where, contact, "contact", [&](rc_contact& entered) { return std::visit(body, entered.contact); });
+}
+
+const Ranks* ranks_of(const Contact&) { return nullptr; }
+const Ranks* ranks_of(const SharedContact& contact) { return &contact.ranks(); }
+
+// Ranks gather the arrays, or give them to operators on rows.
+void check_hosts(const rc_step& step, const rc_result& result) {
+  check_host_array(step.undeformed_gap, "rc_step.undeformed_gap", Types::floats);
+  check_host_array(step.mask, "rc_step.mask");
+  check_host_array(step.p0, "rc_step.p0", Types::floats);
+  check_host_array(result.p, "rc_result.p", Types::floats);
+  check_host_array(result.gap, "rc_result.gap", Types::floats);
+}
+
+template <class Any, class Body> rc_status with_step(Any& contact, const rc_step* step, rc_result* result, const Body& body) {
+  const Ranks* const ranks = ranks_of(contact);
+  rc_step asked = RC_STEP_INIT;
+  rc_result answer = RC_RESULT_INIT;
+  on_all(ranks, [&] {
+    asked = read_step(step);
+    answer = read_result(result);
+    if (ranks) check_hosts(asked, answer);
+  });
   const Numbers numbers = body(contact, asked, outputs_of(answer));
-  write(numbers, contact.problem().system, answer);
+  write(numbers, contact.system(), answer);
   write(result, answer);
   return numbers.status;
+}
+
+rc_status solved(Contact& contact, const rc_history& asked, rc_history& history) {
+  return solve_history(contact, asked, wants_of(asked), history.completed);
+}
+rc_status solved(SharedContact& contact, const rc_history& asked, rc_history& history) {
+  return contact.solve_history(asked, history.completed);
 }
 
 }  // namespace
@@ -35,7 +71,8 @@ rc_status rc_contact_create(const rc_system* system, const rc_options* options, 
   return guard("rc_contact_create", [&] {
     if (!out) fail(RC_ERR_ARGUMENT, "out is null");
     *out = nullptr;
-    *out = new rc_contact{{read<rc_system>(system, "rc_system", RC_SYSTEM_INIT), options_or_defaults(options)}};
+    *out = new rc_contact(std::in_place_type<Contact>, read<rc_system>(system, "rc_system", RC_SYSTEM_INIT),
+                          options_or_defaults(options));
     return RC_OK;
   });
 }
@@ -62,23 +99,24 @@ rc_status rc_contact_on_progress(rc_contact* contact, rc_progress_fn fn, void* u
 }
 
 rc_status rc_contact_solve(rc_contact* contact, const rc_step* step, rc_result* result) {
-  return exclusively("rc_contact_solve", contact, [&](Contact& c) {
+  return exclusively_any("rc_contact_solve", contact, [&](auto& c) {
     return with_step(c, step, result,
-                     [](Contact& each, const rc_step& s, const Outputs& outputs) { return each.solve(s, outputs); });
+                     [](auto& each, const rc_step& s, const Outputs& outputs) { return each.solve(s, outputs); });
   });
 }
 
 rc_status rc_contact_certify(rc_contact* contact, const rc_step* step, rc_result* result) {
-  return exclusively("rc_contact_certify", contact, [&](Contact& c) {
+  return exclusively_any("rc_contact_certify", contact, [&](auto& c) {
     return with_step(c, step, result,
-                     [](Contact& each, const rc_step& s, const Outputs& outputs) { return each.certify(s, outputs); });
+                     [](auto& each, const rc_step& s, const Outputs& outputs) { return each.certify(s, outputs); });
   });
 }
 
 rc_status rc_contact_solve_history(rc_contact* contact, rc_history* path) {
-  return exclusively("rc_contact_solve_history", contact, [&](Contact& c) {
-    const rc_history asked = read_history(path);
-    return solve_history(c, asked, wants_of(asked), path->completed);
+  return exclusively_any("rc_contact_solve_history", contact, [&](auto& c) {
+    rc_history asked = RC_HISTORY_INIT;
+    on_all(ranks_of(c), [&] { asked = read_history(path); });
+    return solved(c, asked, *path);
   });
 }
 
@@ -88,16 +126,6 @@ rc_status rc_contact_level(rc_contact* contact, int64_t i, rc_level* out) {
     check_host_array(level.p, "rc_level.p");
     c.grid().grids().describe(i, level);
     write(out, level);
-    return RC_OK;
-  });
-}
-
-rc_status rc_contact_accuracy(rc_contact* contact, rc_accuracy* out) {
-  return exclusively_or_inside("rc_contact_accuracy", contact, [&](const Contact& c) {
-    check_size(out, "rc_accuracy");
-    const rc_accuracy& found = c.accuracy();
-    if (found.model_nx == 0) fail(RC_ERR_ARGUMENT, "there is no answer yet, or the last step failed");
-    write(out, found);
     return RC_OK;
   });
 }
@@ -175,7 +203,7 @@ rc_status rc_contact_restore(rc_contact* contact, const rc_state* state) {
 }
 
 void rc_contact_cancel(rc_contact* contact) {
-  if (contact) contact->contact.watcher().cancel();
+  if (contact) std::visit([](auto& each) { each.watcher().cancel(); }, contact->contact);
 }
 
 rc_status rc_solve(const rc_system* system, const rc_step* step, const rc_options* options, rc_result* result) {

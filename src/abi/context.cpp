@@ -1,4 +1,4 @@
-// rc_context_*, the enumeration of components, rc_kernel_coefficients.
+// rc_context_*, rc_component_*, rc_pair_supported, rc_kernel_coefficients.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -6,6 +6,7 @@
 #include "abi/guard.h"
 #include "abi/handles.h"
 #include "abi/sized_struct.h"
+#include "contact/calls/controls.h"
 #include "contact/choice.h"
 #include "core/usable_cores.h"
 
@@ -13,33 +14,45 @@ namespace {
 
 using namespace rc;
 
-rc_component component(const char* name, const char* summary, const char* license, const char* origin) {
-  return {sizeof(rc_component), name, summary, license, origin};
+template <class Vtable> rc_component described(const Component<Vtable>& each) {
+  const Vtable& of = each.vtable;
+  return {.struct_size = sizeof(rc_component),
+          .name = of.name,
+          .summary = of.summary,
+          .license = of.license,
+          .origin = each.origin.c_str()};
 }
 
-void check_index(std::int64_t i, std::size_t count) {
-  if (i < 0 || i >= static_cast<std::int64_t>(count))
-    fail(RC_ERR_ARGUMENT, "i = ", i, ": there are ", count, ", numbered from 0");
+rc_component described(const OptionSpec& option) {
+  return {.struct_size = sizeof(rc_component),
+          .name = option.key.c_str(),
+          .summary = option.help.c_str(),
+          .license = "",
+          .origin = "",
+          .default_value = option.default_value.c_str(),
+          .choices = option.choices.empty() ? nullptr : option.choices_text.c_str(),
+          .type = option.type,
+          .fixed = option.fixed,
+          .minimum = option.minimum,
+          .maximum = option.maximum};
 }
 
-template <class List> std::int64_t count_of(const char* where, const List& list) {
-  std::int64_t count = 0;
-  guard(where, [&] {
-    count = static_cast<std::int64_t>(list().size());
-    return RC_OK;
-  });
-  return count;
-}
-
-template <class List> rc_status describe(const char* where, const List& list, std::int64_t i, rc_component* out) {
-  return guard(where, [&] {
-    check_size(out, "rc_component");
-    const auto all = list();
-    check_index(i, all.size());
-    const auto& each = *all[static_cast<std::size_t>(i)];
-    write(out, component(each.vtable.name, each.vtable.summary, each.vtable.license, each.origin.c_str()));
-    return RC_OK;
-  });
+// Calls body with the list of a kind, of pointers that last as long as the context.
+template <class Body> void with_list(rc_context* handle, std::int32_t kind, const Body& body) {
+  Context& context = *context_of(handle);
+  switch (kind) {
+    case RC_COMPONENT_SOLVER:
+      return body(context.solvers());
+    case RC_COMPONENT_BACKEND:
+      return body(context.backends());
+    case RC_COMPONENT_KERNEL:
+      return body(context.kernels());
+    case RC_COMPONENT_OPTION:
+      return body(context.options());
+    default:
+      fail(RC_ERR_ARGUMENT, "kind = ", kind,
+           " is none of RC_COMPONENT_SOLVER (1), RC_COMPONENT_BACKEND (2), RC_COMPONENT_KERNEL (3), RC_COMPONENT_OPTION (4)");
+  }
 }
 
 }  // namespace
@@ -85,39 +98,38 @@ rc_status rc_context_register(rc_context* context, const rc_plugin* plugin) {
   });
 }
 
-int64_t rc_backend_count(rc_context* context) {
-  return count_of("rc_backend_count", [&] { return context_of(context)->backends(); });
+int64_t rc_component_count(rc_context* context, int32_t kind) {
+  int64_t count = 0;
+  guard("rc_component_count", [&] {
+    with_list(context, kind, [&](const auto& list) { count = static_cast<int64_t>(list.size()); });
+    return RC_OK;
+  });
+  return count;
 }
-rc_status rc_backend_describe(rc_context* context, int64_t i, rc_component* out) {
-  return describe(
-      "rc_backend_describe", [&] { return context_of(context)->backends(); }, i, out);
-}
-int64_t rc_solver_count(rc_context* context) {
-  return count_of("rc_solver_count", [&] { return context_of(context)->solvers(); });
-}
-rc_status rc_solver_describe(rc_context* context, int64_t i, rc_component* out) {
-  return describe(
-      "rc_solver_describe", [&] { return context_of(context)->solvers(); }, i, out);
-}
-int64_t rc_kernel_count(rc_context* context) {
-  return count_of("rc_kernel_count", [&] { return context_of(context)->kernels(); });
-}
-rc_status rc_kernel_describe(rc_context* context, int64_t i, rc_component* out) {
-  return describe(
-      "rc_kernel_describe", [&] { return context_of(context)->kernels(); }, i, out);
+
+rc_status rc_component_describe(rc_context* context, int32_t kind, int64_t i, rc_component* out) {
+  return guard("rc_component_describe", [&] {
+    check_size(out, "rc_component");
+    with_list(context, kind, [&](const auto& list) {
+      if (i < 0 || i >= static_cast<int64_t>(list.size()))
+        fail(RC_ERR_ARGUMENT, "i = ", i, ": there are ", list.size(), ", numbered from 0");
+      write(out, described(*list[static_cast<std::size_t>(i)]));
+    });
+    return RC_OK;
+  });
 }
 
 rc_status rc_pair_supported(rc_context* context, const char* solver, const char* backend, const rc_system* system,
                             int32_t control, const rc_options* options) {
   return guard("rc_pair_supported", [&] {
     if (!solver || !backend) fail(RC_ERR_ARGUMENT, "solver or backend is null");
-    if (control != RC_CONTROL_APPROACH && control != RC_CONTROL_LOAD)
-      fail(RC_ERR_ARGUMENT, "control = ", control, " is neither 1 nor 2");
+    check_control(control, "control");
+    const std::int32_t solved = control == RC_CONTROL_APPROACH ? RC_CONTROL_APPROACH : RC_CONTROL_LOAD;
     const rc_options given = options ? *options : rc_options{context_of(context), {}};
     const System checked = checked_system(read<rc_system>(system, "rc_system", RC_SYSTEM_INIT), given, false);
     Context& registry = *context_of(context);
     const std::string reason =
-        obstacle(registry.solver(solver), registry.backend(backend), checked, control, given.integer(RC_OPT_ALLOW_FALLBACK) != 0);
+        obstacle(registry.solver(solver), registry.backend(backend), checked, solved, given.integer(RC_OPT_ALLOW_FALLBACK) != 0);
     if (!reason.empty()) fail(RC_ERR_INCOMPATIBLE, reason);
     return RC_OK;
   });

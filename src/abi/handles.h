@@ -7,9 +7,11 @@
 #include <memory>
 #include <string>
 #include <thread>
+#include <utility>
+#include <variant>
 
 #include "abi/guard.h"
-#include "contact/calls/contact.h"
+#include "contact/calls/shared_contact.h"
 #include "registry/context.h"
 #include "registry/options_handle.h"
 
@@ -37,7 +39,10 @@ class Entrance {
 }  // namespace rc
 
 struct rc_contact {
-  rc::Contact contact;
+  template <class Of, class... Given>
+  explicit rc_contact(std::in_place_type_t<Of> of, Given&&... given) : contact(of, std::forward<Given>(given)...) {}
+
+  std::variant<rc::Contact, rc::SharedContact> contact;
   rc::Entrance entrance = {};
   std::string explanation = {};  // as rc_contact_explain returned it
 };

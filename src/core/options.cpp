@@ -63,6 +63,15 @@ OptionValue checked_value(const OptionSpec& spec, const OptionValue& value) {
     check_range(spec, static_cast<double>(std::get<std::int64_t>(value)));
     return value;
   }
+  if (spec.type == RC_TYPE_INT && std::holds_alternative<double>(value)) {
+    constexpr double beyond = 9223372036854775808.0;  // 2^63
+    const double number = std::get<double>(value);
+    if (number == std::trunc(number)) {
+      check_range(spec, number);
+      if (number >= -beyond && number < beyond) return static_cast<std::int64_t>(number);
+    }
+    fail(RC_ERR_OPTION, "option \"", spec.key, "\" takes an integer, not ", number);
+  }
   if (spec.type == RC_TYPE_REAL && !std::holds_alternative<std::string>(value)) {
     const double real =
         std::holds_alternative<double>(value) ? std::get<double>(value) : static_cast<double>(std::get<std::int64_t>(value));

@@ -1,7 +1,7 @@
 // Options: keys with a declared schema. A value is checked when it is set, so a solve never meets a bad one.
 #pragma once
 
-#include <roughcontact/registry.h>
+#include <roughcontact/plugin.h>
 
 #include <deque>
 #include <map>

@@ -72,11 +72,11 @@ void LawPatch::set_options(const rc_options* given) {
   must(given ? rc_options_copy(given, &made) : rc_options_create(nullptr, &made));
   options_.reset(made);
   double tol = 0;
-  must(rc_options_get_real(made, RC_OPT_TOL, &tol));
-  must(rc_options_set_real(made, RC_OPT_TOL, std::min({tol, 1e-8, 1e-3 * spec_.tolerance})));
-  must(rc_options_set_int(made, RC_OPT_STIFFNESS, 2));
-  must(rc_options_set_int(made, RC_OPT_BOUNDS, 1));
-  must(rc_options_set_real(made, RC_OPT_ACCURACY, 0));
+  must(rc_options_get_number(made, RC_OPT_TOL, &tol));
+  must(rc_options_set_number(made, RC_OPT_TOL, std::min({tol, 1e-8, 1e-3 * spec_.tolerance})));
+  must(rc_options_set_number(made, RC_OPT_STIFFNESS, 2));
+  must(rc_options_set_number(made, RC_OPT_BOUNDS, 1));
+  must(rc_options_set_number(made, RC_OPT_ACCURACY, 0));
 }
 
 bool LawPatch::included(std::int64_t i) const {

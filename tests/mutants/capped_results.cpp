@@ -8,10 +8,10 @@ namespace mutants {
 
 namespace {
 
-void put_capped(Figures& figures, const std::string& name, rc_contact* contact, rc_status status, const rc_result& r,
-                const std::vector<double>& p, const std::vector<double>& gap, bool solved) {
+void put_capped(Figures& figures, const std::string& name, rc_status status, const rc_result& r, const std::vector<double>& p,
+                const std::vector<double>& gap, bool solved) {
   figures.section("capped_result/" + name);
-  put(figures, contact, status, r, p, gap, solved);
+  put(figures, status, r, p, gap, solved);
   if (status < 0) return;
   figures.exact("capped", static_cast<double>(r.capped));
   figures.exact("proven_capped", static_cast<double>(r.proven_capped));
@@ -47,8 +47,8 @@ void figures_of_capped_results(Figures& figures) {
               rc_options_create(nullptr, &options);
               rc_options_set_text(options, "backend", "dense");
               rc_options_set_text(options, "solver", "nnls");
-              rc_options_set_real(options, "tol", 1e-9);
-              rc_options_set_int(options, "stiffness", stiffness);
+              rc_options_set_number(options, "tol", 1e-9);
+              rc_options_set_number(options, "stiffness", stiffness);
               rc_contact* contact = nullptr;
               rc_contact_create(&small.given, options, &contact);
               std::vector<double> p(small.points()), deformed(small.points());
@@ -68,7 +68,7 @@ void figures_of_capped_results(Figures& figures) {
               r.struct_size = sizeof r;
               r.p.data = p.data();
               r.gap.data = deformed.data();
-              put_capped(figures, name, contact, rc_contact_solve(contact, &step, &r), r, p, deformed, true);
+              put_capped(figures, name, rc_contact_solve(contact, &step, &r), r, p, deformed, true);
               const std::vector<double> right = p;
               // The certificate is asked for pressures at which each end is missed, at the elastic and at the hard points.
               for (const double wrong : {1e-4, 0.4})
@@ -85,7 +85,7 @@ void figures_of_capped_results(Figures& figures) {
                   r.struct_size = sizeof r;
                   r.p.data = p.data();
                   r.gap.data = deformed.data();
-                  put_capped(figures, name + "/wrong" + std::to_string(wrong) + std::to_string(way), contact,
+                  put_capped(figures, name + "/wrong" + std::to_string(wrong) + std::to_string(way),
                              rc_contact_certify(contact, &step, &r), r, p, deformed, false);
                 }
               rc_contact_destroy(contact);

@@ -64,7 +64,7 @@ std::vector<Small> systems();
 
 class Figures;
 // Writes the figures of a result. solved: the residual and the bounds are left out, which are round-off.
-void put(Figures& figures, rc_contact* contact, rc_status status, const rc_result& result, const std::vector<double>& p,
+void put(Figures& figures, rc_status status, const rc_result& result, const std::vector<double>& p,
          const std::vector<double>& gap, bool solved);
 // Writes a section with the bounds.
 rc::Bounds put(Figures& figures, const std::string& name, const Small& small, rc::ProvenSets* sets = nullptr);

@@ -18,16 +18,14 @@ double sum_of(const char* text) {
 
 }  // namespace
 
-void put(Figures& figures, rc_contact* contact, rc_status status, const rc_result& r, const std::vector<double>& p,
-         const std::vector<double>& gap, bool solved) {
+void put(Figures& figures, rc_status status, const rc_result& r, const std::vector<double>& p, const std::vector<double>& gap,
+         bool solved) {
   figures.exact("status", status);
   figures.exact("told", std::string(rc_last_error()).find("kkt_primal") != std::string::npos);
   if (status < 0) {
     figures.exact("message", sum_of(rc_last_error()));
     return;
   }
-  rc_accuracy a = RC_ACCURACY_INIT;
-  rc_contact_accuracy(contact, &a);
   figures.near("load", r.load);
   figures.near("approach", r.approach);
   figures.near("mean", r.mean_pressure);
@@ -38,13 +36,13 @@ void put(Figures& figures, rc_contact* contact, rc_status status, const rc_resul
   figures.exact("area", r.contact_area);
   figures.exact("modelled", static_cast<double>(r.modelled));
   figures.exact("tolerance", r.tolerance);
-  figures.exact("estimate", a.error_estimate);
-  figures.exact("area_estimate", a.area_estimate);
-  figures.exact("left_out", a.left_out);
+  figures.exact("estimate", r.error_estimate);
+  figures.exact("area_estimate", r.area_estimate);
+  figures.exact("left_out", r.left_out);
   figures.exact("homogeneous", r.homogeneous);
   figures.exact("points", static_cast<double>(r.points));
-  figures.exact("model_nx", static_cast<double>(a.model_nx));
-  figures.exact("model_ny", static_cast<double>(a.model_ny));
+  figures.exact("model_nx", static_cast<double>(r.model_nx));
+  figures.exact("model_ny", static_cast<double>(r.model_ny));
   figures.exact("solver", sum_of(r.solver));
   figures.exact("backend", sum_of(r.backend));
   figures.exact("bounded", !std::isnan(r.load_lower));
@@ -141,7 +139,7 @@ void beyond_double_precision(Figures& figures) {
     r.p.data = p.data();
     figures.section("beyond/" + std::to_string(std::log10(size)));
     const rc_status status = rc_contact_certify(handle.contact, &step, &r);
-    put(figures, handle.contact, status, r, p, deformed, true);
+    put(figures, status, r, p, deformed, true);
   }
 }
 
@@ -152,7 +150,7 @@ void stopped_far_from_the_answer(Figures& figures) {
       for (const std::int32_t control : {RC_CONTROL_APPROACH, RC_CONTROL_LOAD}) {
         Small small(7, 5);
         Handle handle(small, "dense", solver);
-        rc_options_set_int(handle.options, "max_iter", 1);
+        rc_options_set_number(handle.options, "max_iter", 1);
         rc_contact_set_options(handle.contact, handle.options);
         std::vector<double> p(small.points()), p0(small.points(), start), deformed(small.points());
         rc_step step = RC_STEP_INIT;
@@ -165,7 +163,7 @@ void stopped_far_from_the_answer(Figures& figures) {
         r.p.data = p.data();
         figures.section(std::string("stopped/") + solver + std::to_string(start) + std::to_string(control));
         const rc_status status = rc_contact_solve(handle.contact, &step, &r);
-        put(figures, handle.contact, status, r, p, deformed, true);
+        put(figures, status, r, p, deformed, true);
         figures.near("kkt_primal", r.kkt_primal);
         figures.near("kkt_dual", r.kkt_dual);
       }
@@ -191,7 +189,7 @@ void masks_that_leave_little(Figures& figures) {
       r.p.data = p.data();
       figures.section(std::string("little/") + std::to_string(one) + std::to_string(control));
       const rc_status status = rc_contact_solve(handle.contact, &step, &r);
-      put(figures, handle.contact, status, r, p, deformed, true);
+      put(figures, status, r, p, deformed, true);
     }
 }
 
@@ -221,13 +219,13 @@ void remarks_on_edges(Figures& figures) {
       r.gap.data = deformed.data();
       figures.section(std::string("edges/") + name + std::to_string(load));
       const rc_status status = rc_contact_solve(handle.contact, &step, &r);
-      put(figures, handle.contact, status, r, p, deformed, true);
+      put(figures, status, r, p, deformed, true);
       figures.exact("note", sum_of(r.note));
       for (double& value : p) value *= 1.5;  // spoilt pressures on the rim are added up, too
       p[0] = -1;
       p[n + 1] = 0.3;
       figures.section(std::string("edges_given/") + name + std::to_string(load));
-      put(figures, handle.contact, rc_contact_certify(handle.contact, &step, &r), r, p, deformed, true);
+      put(figures, rc_contact_certify(handle.contact, &step, &r), r, p, deformed, true);
       figures.exact("note", sum_of(r.note));
     }
 }
@@ -258,7 +256,7 @@ void solved_near_the_mean_plane(Figures& figures) {
       r.p.data = p.data();
       r.gap.data = deformed.data();
       figures.section(std::string("mean_plane/") + (masked ? "mask/" : "") + std::to_string(beyond * 1e9));
-      put(figures, handle.contact, rc_contact_certify(handle.contact, &step, &r), r, p, deformed, false);
+      put(figures, rc_contact_certify(handle.contact, &step, &r), r, p, deformed, false);
       figures.near("kkt_dual", r.kkt_dual);
       figures.near("kkt_complementarity", r.kkt_complementarity);
     }
@@ -307,10 +305,10 @@ void figures_of_results(Figures& figures) {
               rc_options_create(nullptr, &options);
               rc_options_set_text(options, "backend", number == 5 ? "callback" : "dense");
               rc_options_set_text(options, "solver", "nnls");
-              rc_options_set_real(options, "tol", tol);
-              rc_options_set_int(options, "stiffness", tol < 1e-5);
-              rc_options_set_int(options, "bounds", tol < 1e-5 || !masked);
-              rc_options_set_real(options, "accuracy", tol > 1e-5 && !masked ? 0.3 : 0);
+              rc_options_set_number(options, "tol", tol);
+              rc_options_set_number(options, "stiffness", tol < 1e-5);
+              rc_options_set_number(options, "bounds", tol < 1e-5 || !masked);
+              rc_options_set_number(options, "accuracy", tol > 1e-5 && !masked ? 0.3 : 0);
               if (masked && size > 0.1) rc_options_set_text(options, "certify_backend", number == 5 ? "callback" : "dense");
               std::vector<double> gap = small.gap, p(gap.size()), deformed(gap.size());
               for (double& h : gap) h += datum;
@@ -332,7 +330,7 @@ void figures_of_results(Figures& figures) {
                                        std::to_string(size * 1e9);
               figures.section("solved/" + name);
               rc_status status = rc_contact_solve(contact, &step, &r);
-              put(figures, contact, status, r, p, deformed, true);
+              put(figures, status, r, p, deformed, true);
               // Without the gap, a certificate over the unknowns alone.
               r = {};
               r.struct_size = sizeof r;
@@ -340,7 +338,7 @@ void figures_of_results(Figures& figures) {
               step.warm_start = 0;
               figures.section("unknowns/" + name);
               status = rc_contact_solve(contact, &step, &r);
-              put(figures, contact, status, r, p, deformed, true);
+              put(figures, status, r, p, deformed, true);
               r.gap.data = deformed.data();
               const std::vector<double> right = p;
               for (const double spoilt : {0.1, 1e-4}) {
@@ -350,7 +348,7 @@ void figures_of_results(Figures& figures) {
                     p[i] += spoilt * static_cast<double>(i % 3) * (p[i] + (i == 2 ? -0.3 : i == 3 ? 0.1 : 0));
                 figures.section("given/" + name + "/" + std::to_string(spoilt));
                 status = rc_contact_certify(contact, &step, &r);
-                put(figures, contact, status, r, p, deformed, false);
+                put(figures, status, r, p, deformed, false);
               }
               // A uniform pressure is added everywhere.
               p = right;
@@ -360,11 +358,11 @@ void figures_of_results(Figures& figures) {
               spoil(r);
               figures.section("more/" + name);
               status = rc_contact_certify(contact, &step, &r);
-              put(figures, contact, status, r, p, deformed, false);
+              put(figures, status, r, p, deformed, false);
               p.assign(p.size(), 0.0);
               figures.section("none/" + name);
               status = rc_contact_certify(contact, &step, &r);
-              put(figures, contact, status, r, p, deformed, false);
+              put(figures, status, r, p, deformed, false);
               if (number == 5) {
                 for (const double worse : {-0.05, -0.1, -0.6, -1.0, 0.0})
                   for (const auto& [first, second] : {std::pair{1e-170, -2e-170}, {-1e-170, -2e-170}, {1e-170, -1e-170}}) {
@@ -374,7 +372,7 @@ void figures_of_results(Figures& figures) {
                     p[3] = second;
                     figures.section("indefinite/" + name + std::to_string(worse) + std::to_string(first / second));
                     status = rc_contact_certify(contact, &step, &r);
-                    put(figures, contact, status, r, p, deformed, false);
+                    put(figures, status, r, p, deformed, false);
                   }
                 diagonal = 1;
               }

@@ -23,12 +23,11 @@ Answer blank(std::size_t points) {
   return answer;
 }
 
-template <class Call> void complete(rc_contact* contact, Answer& answer, Call call) {
+template <class Call> void complete(Answer& answer, Call call) {
   answer.result.p.data = answer.p.data();
   answer.result.gap.data = answer.gap.data();
   answer.status = call(&answer.result);
   answer.message = rc_last_error();
-  rc_contact_accuracy(contact, &answer.accuracy);
   // The answer may be copied: its arrays are p and gap.
   answer.result.p.data = answer.result.gap.data = nullptr;
 }
@@ -61,7 +60,7 @@ Options make_options(const Pair& pair, const std::string& kernel, const Settings
   Options options(made);
   Settings all = {{RC_OPT_SOLVER, pair.solver}, {RC_OPT_BACKEND, pair.backend}, {RC_OPT_KERNEL, kernel}, {RC_OPT_TOL, "1e-12"}};
   all.insert(all.end(), settings.begin(), settings.end());
-  for (const auto& [key, value] : all) require(rc_options_parse(made, key.c_str(), value.c_str()), "rc_options_parse");
+  for (const auto& [key, value] : all) require(rc_options_set_text(made, key.c_str(), value.c_str()), "rc_options_set_text");
   return options;
 }
 
@@ -78,14 +77,14 @@ Contact::Contact(const Problem& problem, const Pair& pair, const Settings& setti
 
 Answer Contact::solve(const rc_step& step) const {
   Answer answer = blank(points_);
-  complete(handle(), answer, [&](rc_result* result) { return rc_contact_solve(handle(), &step, result); });
+  complete(answer, [&](rc_result* result) { return rc_contact_solve(handle(), &step, result); });
   return answer;
 }
 
 Answer Contact::certify(const rc_step& step, const Field& p) const {
   Answer answer = blank(points_);
   answer.p = p;
-  complete(handle(), answer, [&](rc_result* result) { return rc_contact_certify(handle(), &step, result); });
+  complete(answer, [&](rc_result* result) { return rc_contact_certify(handle(), &step, result); });
   return answer;
 }
 

@@ -36,7 +36,6 @@ struct Problem {
 struct Answer {
   rc_status status = RC_ERR_INTERNAL;
   rc_result result = {};
-  rc_accuracy accuracy = RC_ACCURACY_INIT;
   Field p, gap;
   std::string message;
 

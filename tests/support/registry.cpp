@@ -6,12 +6,12 @@ namespace pairs {
 
 namespace {
 
-std::vector<std::string> names(std::int64_t count, rc_status (*describe)(rc_context*, std::int64_t, rc_component*)) {
+std::vector<std::string> names(std::int32_t kind) {
   std::vector<std::string> result;
-  for (std::int64_t i = 0; i < count; ++i) {
+  for (std::int64_t i = 0; i < rc_component_count(nullptr, kind); ++i) {
     rc_component component{};
     component.struct_size = sizeof component;
-    check(describe(nullptr, i, &component) == RC_OK, rc_last_error());
+    check(rc_component_describe(nullptr, kind, i, &component) == RC_OK, rc_last_error());
     result.emplace_back(component.name);
   }
   return result;
@@ -19,10 +19,10 @@ std::vector<std::string> names(std::int64_t count, rc_status (*describe)(rc_cont
 
 }  // namespace
 
-std::vector<std::string> solver_names() { return names(rc_solver_count(nullptr), rc_solver_describe); }
-std::vector<std::string> backend_names() { return names(rc_backend_count(nullptr), rc_backend_describe); }
+std::vector<std::string> solver_names() { return names(RC_COMPONENT_SOLVER); }
+std::vector<std::string> backend_names() { return names(RC_COMPONENT_BACKEND); }
 std::vector<std::string> kernel_names() {
-  std::vector<std::string> result = names(rc_kernel_count(nullptr), rc_kernel_describe);
+  std::vector<std::string> result = names(RC_COMPONENT_KERNEL);
   std::erase(result, "layer");
   return result;
 }

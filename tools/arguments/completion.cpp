@@ -18,17 +18,17 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-Names or_auto(Count count, Describe describe) {
+Names or_auto(int32_t kind) {
   const Context context;
   Names names{"auto"};
-  for (const rc_component& each : components(context, count, describe)) names.emplace_back(each.name);
+  for (const rc_component& each : components(context, kind)) names.emplace_back(each.name);
   return names;
 }
 
 Names keys() {
   const Context context;
   Names names;
-  for (const rc_option_spec& each : option_specs(context)) names.push_back(std::string(each.key) + "=");
+  for (const rc_component& each : components(context, RC_COMPONENT_OPTION)) names.push_back(std::string(each.name) + "=");
   return names;
 }
 
@@ -37,9 +37,9 @@ Names texts(std::span<const std::string_view> names) { return {names.begin(), na
 // Possible values of an option, by its name, or of a key after KEY= in --set.
 Names values(std::string_view option) {
   while (option.starts_with('-')) option.remove_prefix(1);
-  if (option == "solver") return or_auto(rc_solver_count, rc_solver_describe);
-  if (option == "backend") return or_auto(rc_backend_count, rc_backend_describe);
-  if (option == "kernel") return or_auto(rc_kernel_count, rc_kernel_describe);
+  if (option == "solver") return or_auto(RC_COMPONENT_SOLVER);
+  if (option == "backend") return or_auto(RC_COMPONENT_BACKEND);
+  if (option == "kernel") return or_auto(RC_COMPONENT_KERNEL);
   if (const Word* const word = find_word(option); word && !word->choices.empty()) return texts(names_in(word->choices));
   if (option == "write") return texts(step_formats);
   if (option == "set") return keys();

@@ -90,11 +90,11 @@ std::vector<JsonEntry> step_fields(const StepRecord& step, const Problem& proble
       {"proven_open", r.proven_open},
       {"undecided", r.undecided},
       {"tolerance", r.tolerance},
-      {"model_nx", step.accuracy.model_nx},
-      {"model_ny", step.accuracy.model_ny},
-      {"error_estimate", step.accuracy.error_estimate},
-      {"left_out", step.accuracy.left_out},
-      {"area_estimate", step.accuracy.area_estimate},
+      {"model_nx", r.model_nx},
+      {"model_ny", r.model_ny},
+      {"error_estimate", r.error_estimate},
+      {"left_out", r.left_out},
+      {"area_estimate", r.area_estimate},
       {"note", remarks(problem, r)},
       {"message", step.message}};
   if (step.leak) {

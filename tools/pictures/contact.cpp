@@ -40,7 +40,7 @@ std::string title(const Picture& picture, const Layout& layout) {
   const rc_result& r = picture.step.result;
   const char* const status = r.status == RC_OK ? "certified" : picture.step.good() ? "within accuracy" : rc_status_name(r.status);
   const std::string margin =
-      r.status == RC_WITHIN_GOAL ? format(" +- %.2g %% of it", 100 * picture.step.accuracy.area_estimate) : "";
+      r.status == RC_WITHIN_GOAL ? format(" +- %.2g %% of it", 100 * picture.step.result.area_estimate) : "";
   const double middle = static_cast<double>(layout.canvas().width) / 2;
   const auto line = [&](int number, const std::string& text, double y, const std::string& colour) {
     return format("set label %d '%s' at screen %s center font ',20' noenhanced textcolor rgb '%s'\n", number, text.c_str(),

@@ -12,6 +12,7 @@ namespace cli {
 Communicator::Communicator(MPI_Comm comm) : comm_(comm) {
   MPI_Comm_rank(comm_, &rank_);
   MPI_Comm_size(comm_, &ranks_);
+  rc_mpi_exchange_create(comm_, &exchange_);  // if it fails, contacts are refused with its message
 }
 
 void Communicator::together(const std::function<void()>& part) const {

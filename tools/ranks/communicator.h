@@ -1,7 +1,7 @@
 // The ranks that run the command together: what all must know, and failures that one of them meets.
 #pragma once
 
-#include <mpi.h>
+#include <roughcontact/mpi.h>
 
 #include <cstdint>
 #include <functional>
@@ -14,8 +14,12 @@ namespace cli {
 class Communicator {
  public:
   explicit Communicator(MPI_Comm comm);
+  ~Communicator() { rc_mpi_exchange_destroy(&exchange_); }
+  Communicator(const Communicator&) = delete;
+  Communicator& operator=(const Communicator&) = delete;
 
   MPI_Comm get() const { return comm_; }
+  const rc_exchange& exchange() const { return exchange_; }  // between the same ranks, for the library
   int rank() const { return rank_; }
   bool first() const { return rank_ == 0; }
 
@@ -38,6 +42,7 @@ class Communicator {
  private:
   MPI_Comm comm_;
   int rank_ = 0, ranks_ = 1;
+  rc_exchange exchange_ = RC_EXCHANGE_INIT;
 };
 
 }  // namespace cli

@@ -1,7 +1,5 @@
 #include "press.h"
 
-#include <roughcontact/mpi.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -24,11 +22,8 @@ namespace cli {
 
 namespace {
 
-using RankContact = std::unique_ptr<rc_mpi_contact, Destroy<rc_mpi_contact_destroy>>;
-
 // Fields of a step that need the whole grid and that the library does not compute for ranks.
-constexpr std::string_view unknown[] = {"corrected_area", "patches",  "largest_patch",  "contact_crosses", "gap_crosses",
-                                        "model_nx",       "model_ny", "error_estimate", "left_out",        "area_estimate"};
+constexpr std::string_view unknown[] = {"corrected_area", "patches", "largest_patch", "contact_crosses", "gap_crosses"};
 
 class Run {
  public:
@@ -61,11 +56,14 @@ class Run {
     Options options;
     ranks_.together([&] {
       options = make_options(context_, 1, row_.problem.options);
-      check(rc_options_get_int(options.get(), RC_OPT_MAX_ITER, &most_), "");
-      if (every_ > 0) check(rc_options_set_int(options.get(), RC_OPT_MAX_ITER, std::min(every_, most_)), "");
+      double most = 0;
+      check(rc_options_get_number(options.get(), RC_OPT_MAX_ITER, &most), "");
+      most_ = static_cast<std::int64_t>(most);
+      if (every_ > 0)
+        check(rc_options_set_number(options.get(), RC_OPT_MAX_ITER, static_cast<double>(std::min(every_, most_))), "");
     });
-    rc_mpi_contact* handle = nullptr;
-    check(rc_mpi_contact_create(ranks_.get(), &row_.problem.system, options.get(), &handle), "");
+    rc_contact* handle = nullptr;
+    check(rc_ranks_contact_create(&ranks_.exchange(), &row_.problem.system, options.get(), &handle), "");
     contact_.reset(handle);
     if (ranks_.first()) context_.report_log();
   }
@@ -115,14 +113,14 @@ class Run {
     result = RC_RESULT_INIT;
     result.p.data = fields_.pressure.data();
     result.gap.data = fields_.gap.data();
-    const rc_status status = rc_mpi_contact_solve(contact_.get(), &step, &result);
+    const rc_status status = rc_contact_solve(contact_.get(), &step, &result);
     check(status, format("step %zu", number));
     started_ = true;
     return status;
   }
 
   void solve_step(std::size_t number) {
-    StepRecord step{static_cast<int>(number), RC_RESULT_INIT, RC_ACCURACY_INIT, {}, {}};
+    StepRecord step{static_cast<int>(number), RC_RESULT_INIT, {}, {}};
     std::int64_t iterations = begun_, products = 0;
     double seconds = 0, setup = 0;
     begun_ = 0;
@@ -191,7 +189,7 @@ class Run {
   Context context_;
   RowProblem row_;
   Fields fields_{0, false};
-  RankContact contact_;
+  Contact contact_;
   std::optional<RunFolder> folder_;  // on rank 0
   std::optional<Checkpoint> checkpoint_;
   std::int64_t every_ = 0;  // iterations between checkpoints; 0: none

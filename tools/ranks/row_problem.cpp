@@ -1,7 +1,5 @@
 #include "row_problem.h"
 
-#include <roughcontact/mpi.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -77,7 +75,7 @@ RowProblem read_problem(const Communicator& ranks, const SolveArguments& argumen
   input.format = "npy";
   const rc_system& system = problem.system;
   const std::int64_t nx = system.nx, ny = system.ny;
-  ranks.together([&] { check(rc_mpi_rows(ranks.get(), &system, &row.rows.first, &row.rows.count), ""); });
+  ranks.together([&] { check(rc_ranks_rows(&ranks.exchange(), &system, &row.rows.first, &row.rows.count), ""); });
 
   const double unit = problem_of(input.request).metres;
   std::vector<double> heights = read_rows(ranks, input.file, surface.layout, row.rows);

@@ -33,7 +33,7 @@ Contact make_contact(const Problem& problem, const Options& options) {
 
 double tolerance(const Options& options) {
   double tol = 0;
-  check(rc_options_get_real(options.get(), RC_OPT_TOL, &tol), "--tol");
+  check(rc_options_get_number(options.get(), RC_OPT_TOL, &tol), "--tol");
   return tol;
 }
 

@@ -14,7 +14,6 @@ namespace cli {
 struct StepRecord {
   int number;  // 1, 2, ...
   rc_result result;
-  rc_accuracy accuracy;
   ContactMeasures measures;
   std::string message;                   // why the step is not certified; "" if it is
   std::optional<rc_flow_result> leak{};  // if it is asked for

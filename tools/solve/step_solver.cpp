@@ -39,13 +39,12 @@ StepRecord StepSolver::solve(int number, Fields& fields) {
   step.borrow = 1;
   gap_given_ = true;
 
-  StepRecord record{number, RC_RESULT_INIT, RC_ACCURACY_INIT, {}, {}};
+  StepRecord record{number, RC_RESULT_INIT, {}, {}};
   record.result.p.data = fields.pressure.data();
   record.result.gap.data = fields.gap.data();
   const rc_status status = rc_contact_solve(contact_, &step, &record.result);
   if (status > 0) record.message = last_message();
   check(status, format("step %d", number));
-  check(rc_contact_accuracy(contact_, &record.accuracy), "");
   if (!fields.indentation.empty()) check(rc_contact_indentation(contact_, RC_OUT(fields.indentation.data())), "");
   record.measures = measure(problem_, fields.pressure);
   return record;

@@ -56,7 +56,7 @@ void print_table_row(const Problem& problem, const StepRecord& step) {
                          rc_status_name(r.status));
   if (r.status == RC_WITHIN_GOAL)
     text += format("%4s estimated errors: %.2g %% of what accuracy is of, %.2g %% of the area\n", "",
-                   100 * step.accuracy.error_estimate, 100 * step.accuracy.area_estimate);
+                   100 * step.result.error_estimate, 100 * step.result.area_estimate);
   if (problem.system.hardness > 0)
     text += format("%4s %lld of %lld contact points at the hardness, plastic volume of the step ", "",
                    static_cast<long long>(r.capped), static_cast<long long>(r.contacts)) +

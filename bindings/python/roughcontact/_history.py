@@ -53,12 +53,12 @@ def history_on(
         pressure = doubles_at(found.p, grid.shape)
         if pressures is not None:
             pressures[step] = pressure
-        alone = result_from(found, "", grid, None, None, contact._handle)
+        alone = result_from(found, "", grid, None, None)
         results.append(replace(alone, measures=measures_of(pressure, grid)))
         if each is None:
             return False
         with contact._use.answering():
-            return each(step, result_with_copies(found, grid, contact._handle))
+            return each(step, result_with_copies(found, grid))
 
     callbacks = Callbacks()
     struct.fn = rc_history_fn(callbacks.guarded(after))

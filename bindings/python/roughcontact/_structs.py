@@ -39,13 +39,9 @@ class rc_result(Sized):
     double kkt_primal kkt_dual kkt_complementarity kkt_control tolerance duality_gap gap_error load_lower;
     double load_upper area_lower area_upper; int64_t proven_contacts proven_open undecided;
     double stiffness stiffness_lower stiffness_upper punch_stiffness; int64_t capped; double plastic_volume;
-    int64_t proven_capped points candidates modelled iterations products levels; double seconds setup_seconds;
+    int64_t proven_capped model_nx model_ny; double error_estimate area_estimate left_out;
+    int64_t points candidates modelled iterations products levels; double seconds setup_seconds;
     char*32 solver backend kernel; char*512 note"""
-
-
-@struct
-class rc_accuracy(Sized):
-    members = "size_t struct_size; int64_t model_nx model_ny; double error_estimate area_estimate left_out"
 
 
 @struct
@@ -187,12 +183,8 @@ class rc_context_config(Sized):
 
 @struct
 class rc_component(Sized):
-    members = "size_t struct_size; text name summary license origin"
-
-
-@struct
-class rc_option_spec(Sized):
-    members = "size_t struct_size; text key default_value choices help; int32_t type fixed; double minimum maximum"
+    members = """size_t struct_size; text name summary license origin default_value choices; int32_t type fixed;
+    double minimum maximum"""
 
 
 @struct
@@ -323,6 +315,21 @@ class rc_remark(Sized):
 @struct
 class rc_smooth(Sized):
     members = "size_t struct_size; double width side max_pressure approach; char*160 remark"
+
+
+rc_gather_fn = callback(text, handle, handle, integers, handle)
+
+
+rc_transpose_fn = callback(text, handle, handle, integers, handle, integers)
+
+
+rc_shift_fn = callback(text, handle, int64_t, handle, int64_t, int64_t, handle, int64_t)
+
+
+@struct
+class rc_exchange(Sized):
+    members = """size_t struct_size; int64_t rank ranks=1; handle user; rc_gather_fn gather; rc_transpose_fn transpose;
+    rc_shift_fn shift; text refused"""
 
 
 @struct

@@ -202,7 +202,7 @@ class Contact(Handle):
         struct = given(rc_result(), p=pressure, gap=deformed)
         keep = (pressure, deformed, inputs)
         status, message, interrupt = self._run(lambda: int(function(self._handle, step, struct)), keep)
-        answer = result_from(struct, message, self.grid(), pressure, deformed, self._handle) if status >= 0 else None
+        answer = result_from(struct, message, self.grid(), pressure, deformed) if status >= 0 else None
         self._conclude(status, message, interrupt, answer, must_be_certified)
         assert answer is not None
         return answer

@@ -7,20 +7,19 @@ import os
 import sys
 import weakref
 from dataclasses import dataclass
-from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, TypeVar, Union
+from typing import Any, Callable, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, TypeVar, Union
 
 import numpy as np
 
 from . import _constants
 from ._arrays import Doubles, Pitch, as_pitch, as_shape, as_text, columns_and_rows, pointer
 from ._c import members_for
-from ._calls import check, last_message
-from ._errors import OptionError, error_for
+from ._calls import check
+from ._errors import OptionError
 from ._kernel import Symbol, register
 from ._library import contact_library
 from ._paths import Path, as_path
-from ._status import Status
-from ._structs import rc_component, rc_context_config, rc_log_fn, rc_option_spec
+from ._structs import rc_component, rc_context_config, rc_log_fn
 from ._use import OwnsHandle
 
 OptionValue = Union[int, float, str]
@@ -147,12 +146,11 @@ class OptionSet(OwnsHandle):
 
     def _set(self, library: Any, key: bytes, value: OptionValue) -> None:
         if isinstance(value, str):
-            check(library.rc_options_parse(self.handle, key, as_text(value, f"option {key.decode()}", OptionError)))
+            check(library.rc_options_set_text(self.handle, key, as_text(value, f"option {key.decode()}", OptionError)))
         elif isinstance(value, (bool, np.bool_, int, np.integer)):
-            # The schema knows whether that is a whole number or a real one, and says so where it is neither.
-            check(library.rc_options_parse(self.handle, key, str(int(value)).encode()))
+            check(library.rc_options_set_text(self.handle, key, str(int(value)).encode()))  # of any size
         elif isinstance(value, (float, np.floating)):
-            check(library.rc_options_set_real(self.handle, key, float(value)))
+            check(library.rc_options_set_number(self.handle, key, float(value)))
         else:
             raise TypeError(f"option {key.decode()!r} is {type(value).__name__}; int, float or str is needed")
 
@@ -164,41 +162,42 @@ def _text(value: Optional[bytes]) -> str:
     return (value or b"").decode(errors="replace")
 
 
-def _components(kind: str, context: Optional[Context]) -> List[Component]:
+def _described(kind: int, context: Optional[Context]) -> Iterator[rc_component]:
     library, handle = contact_library(), context_handle(context)
-    found: Lines[Component] = Lines()
-    for i in range(getattr(library, f"rc_{kind}_count")(handle)):
+    for i in range(library.rc_component_count(handle, kind)):
         each = rc_component()
-        check(getattr(library, f"rc_{kind}_describe")(handle, i, each))
-        found.append(Component(**members_for(Component, each)))
-    return found
+        check(library.rc_component_describe(handle, kind, i, each))
+        yield each
+
+
+def _components(kind: int, context: Optional[Context]) -> List[Component]:
+    return Lines(Component(**members_for(Component, each)) for each in _described(kind, context))
 
 
 def backends(context: Optional[Context] = None) -> List[Component]:
     """Backends, sorted by name. The first call loads the plugins."""
-    return _components("backend", context)
+    return _components(_constants.RC_COMPONENT_BACKEND, context)
 
 
 def solvers(context: Optional[Context] = None) -> List[Component]:
     """Solvers, sorted by name."""
-    return _components("solver", context)
+    return _components(_constants.RC_COMPONENT_SOLVER, context)
 
 
 def kernels(context: Optional[Context] = None) -> List[Component]:
     """Influence kernels, sorted by name."""
-    return _components("kernel", context)
+    return _components(_constants.RC_COMPONENT_KERNEL, context)
 
 
 def options(context: Optional[Context] = None) -> List[OptionSpec]:
     """All options: the core's, then those of every component; printed, one a line, as the keywords that `solve` takes."""
-    library, handle = contact_library(), context_handle(context)
     kinds: Dict[int, Any] = {_constants.RC_TYPE_INT: int, _constants.RC_TYPE_REAL: float, _constants.RC_TYPE_TEXT: str}
     found: Lines[OptionSpec] = Lines()
-    for i in range(library.rc_options_count(handle)):
-        each = rc_option_spec()
-        check(library.rc_options_describe(handle, i, each))
+    for each in _described(_constants.RC_COMPONENT_OPTION, context):
         kind = kinds[each.type]
         own = {
+            "key": _text(each.name),
+            "help": _text(each.summary),
             "kind": kind,
             "default": kind(float(each.default_value)) if kind is int else kind(_text(each.default_value)),
             "choices": tuple(_text(each.choices).split("|")) if each.choices else None,
@@ -209,30 +208,29 @@ def options(context: Optional[Context] = None) -> List[OptionSpec]:
     return found
 
 
-def _value(handle: ctypes.c_void_p, key: str) -> OptionValue:
-    """The value of an option, from the function of its type."""
-    library = contact_library()
-    for get, out in (
-        (library.rc_options_get_int, ctypes.c_int64()),
-        (library.rc_options_get_real, ctypes.c_double()),
-        (library.rc_options_get_text, ctypes.c_char_p()),
-    ):
-        status = get(handle, key.encode(), out)
-        if status == Status.OK:
-            return _text(out.value) if isinstance(out, ctypes.c_char_p) else out.value
-    raise error_for(status, last_message())
+def _value(handle: ctypes.c_void_p, spec: OptionSpec) -> OptionValue:
+    library, key = contact_library(), spec.key.encode()
+    if spec.kind is str:
+        text = ctypes.c_char_p()
+        check(library.rc_options_get_text(handle, key, text))
+        return _text(text.value)
+    number = ctypes.c_double()
+    check(library.rc_options_get_number(handle, key, number))
+    return spec.kind(number.value)  # type: ignore[no-any-return]
 
 
 def effective_options(given: Options = None, context: Optional[Context] = None) -> Mapping[str, OptionValue]:
     """The value of every option after these were set."""
     with OptionSet(given, context) as handle:
-        return {spec.key: _value(handle, spec.key) for spec in options(context)}
+        return {spec.key: _value(handle, spec) for spec in options(context)}
 
 
-def default(key: str) -> OptionValue:
-    """The default of an option."""
+def default(key: str) -> float:
+    """The default of an option that is a number."""
     with OptionSet(None, None) as handle:
-        return _value(handle, key)
+        number = ctypes.c_double()
+        check(contact_library().rc_options_get_number(handle, key.encode(), number))
+        return number.value
 
 
 def version() -> Tuple[int, int, int]:

@@ -93,7 +93,7 @@ class _Routine:
     ) -> DirectResult:
         matrix = square(H)
         n = matrix.shape[0]
-        steps = default(RC_OPT_MAX_ITER) if max_iter is None else as_int(max_iter, "max_iter")
+        steps = int(default(RC_OPT_MAX_ITER)) if max_iter is None else as_int(max_iter, "max_iter")
         limit = default(RC_OPT_TOL) if tol is None else tol
         right = as_doubles(u, "u", (n,))
         p = np.zeros(n) if start is None else as_doubles(start, "start", (n,)).copy()

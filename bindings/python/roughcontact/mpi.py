@@ -29,8 +29,8 @@ from ._calls import check as check_status, conclude, last_message
 from ._errors import ArgumentError
 from ._keywords import options_of
 from ._request import Prescribed, prescribed
-from ._library import mpi_library
-from ._structs import rc_ranks_counts, rc_result, rc_step
+from ._library import contact_library, mpi_library
+from ._structs import rc_exchange, rc_ranks_counts, rc_result, rc_step
 from ._use import OwnsHandle
 from .context import Context, Options, OptionSet
 from .result import Grid, Result, result_from
@@ -76,11 +76,17 @@ def _together(world: Any, make: Callable[[], Made]) -> Made:
 
 def rows(system: HalfSpace, comm: Any = None) -> slice:
     """The rows of the grid, along the first axis, that this rank has; it may have none. comm: an mpi4py communicator; None: all ranks."""
-    handle = _world(comm).py2f()
+    world, exchange = _world(comm), rc_exchange()
+    exchange.rank, exchange.ranks = world.Get_rank(), world.Get_size()
     struct, _ = system.struct()
     first, count = ctypes.c_int64(), ctypes.c_int64()
-    check_status(mpi_library().rc_mpi_rows_f(handle, struct, first, count))
+    check_status(mpi_library().rc_ranks_rows(exchange, struct, first, count))
     return slice(first.value, first.value + count.value)
+
+
+def _freed(handle: ctypes.c_void_p, exchange: rc_exchange) -> None:
+    contact_library().rc_contact_destroy(handle)
+    mpi_library().rc_mpi_exchange_destroy(exchange)
 
 
 def gap_from_heights(heights: ArrayLike, comm: Any = None) -> Doubles:
@@ -126,9 +132,15 @@ class Contact(OwnsHandle):
 
             self.rows, struct, handle = _together(world, made)
             self.system = system
-            check_status(mpi_library().rc_mpi_contact_create_f(world.py2f(), struct, handle, self._handle))
-        self._close = weakref.finalize(self, mpi_library().rc_mpi_contact_destroy, self._handle)
-        self._close.atexit = False  # MPI is finalised by then
+            exchange = rc_exchange()
+            self._close = weakref.finalize(self, _freed, self._handle, exchange)
+            self._close.atexit = False  # MPI is finalised by then
+            try:
+                check_status(mpi_library().rc_mpi_exchange_create_f(world.py2f(), exchange))
+                check_status(mpi_library().rc_ranks_contact_create(exchange, struct, handle, self._handle))
+            except BaseException:
+                self._close()
+                raise
         self._context = context
 
     @property
@@ -171,7 +183,7 @@ class Contact(OwnsHandle):
             given(step, p0=None if start is None else as_doubles(start, "start", self.shape), warm_start=as_switch(warm_start))
             return step, np.zeros(self.shape) if want_pressure else None
 
-        return self._run(mpi_library().rc_mpi_contact_solve, prepared, want_gap, check)
+        return self._run(contact_library().rc_contact_solve, prepared, want_gap, check)
 
     def certify(
         self,
@@ -190,13 +202,13 @@ class Contact(OwnsHandle):
             judged = as_doubles(pressure, "pressure", self.shape).copy()
             return self._step(prescribed(self.system, approach=approach, load=load), undeformed_gap, mask), judged
 
-        return self._run(mpi_library().rc_mpi_contact_certify, prepared, want_gap, check)
+        return self._run(contact_library().rc_contact_certify, prepared, want_gap, check)
 
     def counts(self) -> Counts:
         """Numbers and bytes of this rank's exchanges."""
         self._refuse_closed()
         struct = rc_ranks_counts()
-        check_status(mpi_library().rc_mpi_contact_counts(self._handle, struct))
+        check_status(mpi_library().rc_ranks_contact_counts(self._handle, struct))
         return Counts(**members_for(Counts, struct))
 
     def _refuse_closed(self) -> None:

@@ -17,13 +17,12 @@ from ._c import members_for
 from ._device import on_host
 from ._errors import as_status
 from ._flow import Leak, leak_of
-from ._library import contact_library
 from ._measures import STEP_COLUMNS, UNKNOWN, Measures, measures_of
 from ._pictures import pressure_image
 from ._remarks import elastic_limit
 from ._request import Smooth as Smooth
 from ._status import Status
-from ._structs import rc_accuracy, rc_array, rc_level, rc_result
+from ._structs import rc_array, rc_level, rc_result
 from .context import Context, Options
 from .system import System
 
@@ -157,8 +156,8 @@ class Result(Answer):
     mean_gap: float
     #: what was computed from the pressures; None: it is computed when asked for
     measures: Optional[Measures]
-    #: which grid it is of, and estimated errors; None in `batch`
-    accuracy: Optional[Accuracy]
+    #: which grid it is of, and estimated errors
+    accuracy: Accuracy
     #: what was taken where neither words nor maps say it, and what was done to the surface, a sentence each
     assumed: Tuple[str, ...] = ()
     #: of the smooth body; None without the word shape
@@ -267,8 +266,7 @@ class Result(Answer):
     def _columns(self) -> Dict[str, Any]:
         known = self.measures is not None or self.pressure is not None and np.prod(self.grid.shape) == self.points
         own = {**super()._columns(), **vars(self._measured if known else UNKNOWN)}
-        accuracy = self.accuracy or Accuracy(-1, -1, np.nan, np.nan, np.nan)
-        own.update(vars(accuracy))
+        own.update(vars(self.accuracy))
         if self.smooth:
             own.update({f"smooth_{name}": value for name, value in vars(self.smooth).items()})
         return {name: own.pop(name) for name in STEP_COLUMNS} | own
@@ -300,27 +298,22 @@ class Result(Answer):
         )
 
 
-def result_from(
-    struct: rc_result, message: str, grid: Grid, pressure: Optional[Reals], gap: Optional[Reals], contact: Any = None
-) -> Result:
-    """contact: the C object that the accuracy is asked of, or None."""
+def result_from(struct: rc_result, message: str, grid: Grid, pressure: Optional[Reals], gap: Optional[Reals]) -> Result:
     own = {"status": as_status(struct.status), "message": message, "pressure": pressure, "gap": gap, "grid": grid}
-    accuracy = rc_accuracy()
-    known = contact is not None and contact_library().rc_contact_accuracy(contact, accuracy) == Status.OK
     own["measures"] = None
-    own["accuracy"] = Accuracy(**members_for(Accuracy, accuracy)) if known else None
+    own["accuracy"] = Accuracy(**members_for(Accuracy, struct))
     answer = object.__new__(Result)  # its __init__ would set 60 members one by one
     vars(answer).update(members_for(Result, struct), assumed=(), smooth=None, **own)
     return answer
 
 
-def result_with_copies(struct: rc_result, grid: Grid, contact: Any = None) -> Result:
+def result_with_copies(struct: rc_result, grid: Grid) -> Result:
     """From inside a callback, whose arrays last only until it returns."""
 
     def copy(array: rc_array) -> Optional[Doubles]:
         return doubles_at(array, grid.shape).copy() if array.data else None
 
-    return result_from(struct, "", grid, copy(struct.p), copy(struct.gap), contact)
+    return result_from(struct, "", grid, copy(struct.p), copy(struct.gap))
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -56,7 +56,6 @@ Prepared Contact::prepare(const rc_step& given) {
 }
 
 void Contact::begin() {
-  accuracy_ = RC_ACCURACY_INIT;
   if (problem().options.integer(RC_OPT_RESUMABLE) != 0) goal_.forget();
 }
 
@@ -86,7 +85,6 @@ Numbers Contact::at_target(const Step& step, Monitor& monitor, const Outputs& ou
     numbers = grid_.solve_prepared(step, monitor, outputs, nearer);
     if (coarser_may_do) goal_.add_work(monitor, numbers->work);
   }
-  accuracy_ = numbers->accuracy;
   return *numbers;
 }
 
@@ -95,7 +93,6 @@ Numbers Contact::certify(const rc_step& step, const Outputs& outputs, std::optio
   const Pressed pressed = pressed_by(host.step, problem().system);
   if (pressed.share) fail(RC_ERR_ARGUMENT, "pressures are certified at a load, mean pressure or approach, not at an area");
   Numbers numbers = grid_.certify(pressed.step, host.outputs, compression);
-  accuracy_ = numbers.accuracy;
   host.give(outputs);
   return numbers;
 }

@@ -30,6 +30,7 @@ class Contact {
   Contact(const rc_system& system, const rc_options& options, const Company& company = {});
 
   const GridProblem& problem() const { return grid_.problem(); }
+  const System& system() const { return problem().system; }
   const GridContact& grid() const { return grid_; }
   Watcher& watcher() { return grid_.watcher(); }
   void set_options(const rc_options& options);
@@ -37,8 +38,6 @@ class Contact {
   // solve and certify accept arrays on a device. compression: see GridContact.
   Numbers solve(const rc_step& step, const Outputs& outputs);
   Numbers certify(const rc_step& step, const Outputs& outputs, std::optional<double> compression = std::nullopt);
-  // The accuracy of the last step's answer; model_nx = 0: there is none.
-  const rc_accuracy& accuracy() const { return accuracy_; }
 
   // Derivatives of the last step. Throw Error(ARGUMENT) where it did not return RC_OK.
   rc_status gradient(rc_gradient& gradient);
@@ -62,7 +61,6 @@ class Contact {
   HeldCopies held_;  // outlives what refers to it
   GridContact grid_;
   AccuracyGoal goal_;
-  rc_accuracy accuracy_ = RC_ACCURACY_INIT;
 };
 
 }  // namespace rc

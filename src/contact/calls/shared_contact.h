@@ -23,7 +23,8 @@ class SharedContact {
   SharedContact(const Ranks& ranks, const rc_system& system, const rc_options& options);
 
   const Ranks& ranks() const { return ranks_; }
-  const System& system() const { return contact_->problem().system; }
+  const System& system() const { return contact_->system(); }
+  Watcher& watcher() { return contact_->watcher(); }
   Numbers solve(const rc_step& step, const Outputs& outputs) {
     return together([&] { return run(step, outputs, false); });
   }

@@ -216,7 +216,7 @@ Numbers certified_numbers(const GridProblem& problem, const Target& target, cons
     result.mean_gap = mean_gap(problem, found, totals.overlap);
   result.tolerance = problem.options.real(RC_OPT_TOL);
   const double estimate = problem.goal.error > 0 ? 0 : nan;
-  result.accuracy = {sizeof(rc_accuracy), system.given.nx, system.given.ny, estimate, estimate, 0};
+  result.accuracy = {system.given.nx, system.given.ny, estimate, estimate, 0};
   result.stiffness.value = stiffness;
   if (!std::isnan(stiffness)) {
     if (!problem.facts.punch) problem.facts.punch = punch_stiffness(system);

@@ -84,6 +84,11 @@ void write(const Numbers& numbers, const System& system, rc_result& result) {
   result.max_pressure = totals.max_pressure;
   result.mean_gap = numbers.mean_gap;
   result.punch_stiffness = numbers.punch_stiffness;
+  result.model_nx = numbers.accuracy.nx;
+  result.model_ny = numbers.accuracy.ny;
+  result.error_estimate = numbers.accuracy.error;
+  result.area_estimate = numbers.accuracy.area_error;
+  result.left_out = numbers.accuracy.left_out;
 }
 
 }  // namespace rc

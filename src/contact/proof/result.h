@@ -26,6 +26,12 @@ struct Totals {
   Totals operator+(const Totals& b) const;
 };
 
+// Where an answer comes from, and how far it may be from that on the whole grid: rc_result.model_nx and what follows it.
+struct Accuracy {
+  std::int64_t nx = 0, ny = 0;
+  double error = 0, area_error = 0, left_out = 0;
+};
+
 // The cost of a step.
 struct Work {
   std::int64_t iterations = 0, products = 0, levels = 0;
@@ -53,7 +59,7 @@ struct Numbers {
   Work work = {};
   // Texts of a fixed size: once the caller's arrays are written, nothing may lack memory.
   char solver[sizeof rc_result::solver] = "none", backend[sizeof rc_result::backend] = "none", note[sizeof rc_result::note] = "";
-  rc_accuracy accuracy = RC_ACCURACY_INIT;
+  Accuracy accuracy = {};
 
   double load(const System& system) const { return totals.sum * system.cell_area(); }
   double energy(const System& system) const { return totals.energy * system.cell_area(); }

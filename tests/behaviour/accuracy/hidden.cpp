@@ -58,8 +58,8 @@ void areas_that_tie_are_known_to_one_coarse_cell() {
   problem.target = 1;
   const Answer found = solve(problem, automatic, goal(0.1, "area"));
   check(by_estimate(found), "a coarser grid will do");
-  const std::int64_t factor = 128 / found.accuracy.model_nx;
-  check(found.accuracy.error_estimate >= static_cast<double>(factor * factor) / static_cast<double>(found.result.contacts),
+  const std::int64_t factor = 128 / found.result.model_nx;
+  check(found.result.error_estimate >= static_cast<double>(factor * factor) / static_cast<double>(found.result.contacts),
         "the estimate is no less than a cell");
 }
 
@@ -74,8 +74,8 @@ void areas_under_a_goal_of_the_load_have_their_own_estimate() {
       if (!by_estimate(found)) continue;
       ++coarser;
       const double area = whole.result.contact_area;
-      check_near(found.result.contact_area, area, found.accuracy.area_estimate * area, "contact area");
-      check(found.accuracy.area_estimate < 1, "area_estimate");
+      check_near(found.result.contact_area, area, found.result.area_estimate * area, "contact area");
+      check(found.result.area_estimate < 1, "area_estimate");
     }
   }
   check(coarser >= 3, "coarser grids serve");

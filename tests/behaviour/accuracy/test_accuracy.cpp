@@ -30,10 +30,9 @@ void result_says_what_was_modelled() {
     const Problem problem = smooth(boundary);
     const Answer found = within_goal(problem, goal(wanted, "load"));
     const rc_result& r = found.result;
-    const rc_accuracy& a = found.accuracy;
-    const std::int64_t factor = problem.system.nx / a.model_nx;
-    check(factor >= 2 && factor * a.model_nx == problem.system.nx && factor * a.model_ny == problem.system.ny, "model_nx");
-    check(a.error_estimate > 0 && a.error_estimate <= wanted, "error_estimate");
+    const std::int64_t factor = problem.system.nx / r.model_nx;
+    check(factor >= 2 && factor * r.model_nx == problem.system.nx && factor * r.model_ny == problem.system.ny, "model_nx");
+    check(r.error_estimate > 0 && r.error_estimate <= wanted, "error_estimate");
     check_near(r.tolerance, wanted / 100, 1e-12, "tolerance");
     check(found.message.find("within accuracy") != std::string::npos, found.message);
     check(std::isnan(r.duality_gap) && r.proven_contacts == -1 && r.undecided == -1, "nothing is proven");
@@ -42,7 +41,7 @@ void result_says_what_was_modelled() {
     check_equal(r.contacts, std::count_if(found.p.begin(), found.p.end(), [](double p) { return p > 0; }), "contacts");
     check_near(r.contact_area, static_cast<double>(r.contacts) * problem.cell_area(), 1e-9 * r.contact_area, "contact_area");
 
-    check(a.area_estimate > 0, "area_estimate");
+    check(r.area_estimate > 0, "area_estimate");
 
     // Everything but the estimates follows from the pressures on the given grid.
     const Answer judged = Contact(problem, automatic, {{RC_OPT_TOL, text(wanted)}}).certify(problem.step(), found.p);
@@ -60,7 +59,7 @@ void result_says_what_was_modelled() {
         const auto block = static_cast<std::size_t>(iy / factor * coarse.system.nx + ix / factor);
         if (found.p[fine] > 0) details += std::pow(problem.gap[fine] - coarse.gap[block], 2);
       }
-    check_near(a.left_out, std::sqrt(details / static_cast<double>(r.contacts)), 1e-9 * a.left_out, "left_out");
+    check_near(r.left_out, std::sqrt(details / static_cast<double>(r.contacts)), 1e-9 * r.left_out, "left_out");
   }
 }
 
@@ -70,8 +69,8 @@ void tight_goals_take_the_whole_grid() {
   for (double& value : problem.gap) value += 1e-2 * problem.target * (static_cast<double>(random()) / 4294967296.0);
   for (const char* const of : {"load", "area"}) {
     const Answer found = solved(problem, automatic, goal(1e-4, of));
-    check_equal(found.accuracy.model_nx, problem.system.nx, "model_nx");
-    check(found.accuracy.error_estimate == 0 && found.accuracy.left_out == 0, "nothing is left out");
+    check_equal(found.result.model_nx, problem.system.nx, "model_nx");
+    check(found.result.error_estimate == 0 && found.result.left_out == 0, "nothing is left out");
     const double tol = of == std::string("area") ? 1e-7 : 1e-6;
     check_near(found.result.tolerance, tol, 1e-18, "tolerance");
     check(found.worst_residual() <= tol, "residuals");
@@ -85,7 +84,7 @@ void roughness_of_single_cells_is_seen() {
   std::mt19937 random(3);
   for (double& value : problem.gap) value += 0.2 * problem.target * (static_cast<double>(random()) / 4294967296.0);
   const Answer found = solve(problem, automatic, goal(wanted, "load"));
-  check(found.accuracy.model_nx > even.accuracy.model_nx, "a finer grid than without noise");
+  check(found.result.model_nx > even.result.model_nx, "a finer grid than without noise");
   const Answer exact = solved(problem, automatic);
   check(std::abs(found.result.load / exact.result.load - 1) <= wanted, "within the goal");
 }
@@ -108,8 +107,8 @@ void openings_that_no_coarser_grid_shows_are_seen() {
 
 void without_a_goal_nothing_changes() {
   const Answer found = solved(smooth(), automatic, {{RC_OPT_TOL, "1e-7"}});
-  check(std::isnan(found.accuracy.error_estimate) && found.accuracy.left_out == 0, "no estimate");
-  check_equal(found.accuracy.model_nx, 256, "model_nx");
+  check(std::isnan(found.result.error_estimate) && found.result.left_out == 0, "no estimate");
+  check_equal(found.result.model_nx, 256, "model_nx");
   check(found.result.tolerance == 1e-7, "tolerance");
 }
 
@@ -161,8 +160,8 @@ void extreme_scales_do_not_matter() {
     other.target *= flat * unit;
     for (double& value : other.gap) value *= flat * unit;
     const Answer same = within_goal(other, goal(wanted, "load"));
-    check_equal(same.accuracy.model_nx, found.accuracy.model_nx, "model_nx");
-    check_near(same.accuracy.left_out / (flat * unit), found.accuracy.left_out, 1e-6 * found.accuracy.left_out, "left_out");
+    check_equal(same.result.model_nx, found.result.model_nx, "model_nx");
+    check_near(same.result.left_out / (flat * unit), found.result.left_out, 1e-6 * found.result.left_out, "left_out");
   }
 }
 
@@ -191,10 +190,10 @@ void units_do_not_matter() {
     other.system.modulus = 3e7;
     for (double& value : other.gap) value *= unit;
     const Answer same = within_goal(other, goal(wanted, "load"));
-    check_equal(same.accuracy.model_nx, found.accuracy.model_nx, "model_nx");
-    check_near(same.accuracy.error_estimate, found.accuracy.error_estimate, 1e-6 * wanted, "error_estimate");
+    check_equal(same.result.model_nx, found.result.model_nx, "model_nx");
+    check_near(same.result.error_estimate, found.result.error_estimate, 1e-6 * wanted, "error_estimate");
     check_near(same.result.load / (3e7 * unit * unit), found.result.load, 1e-6 * found.result.load, "load");
-    check_near(same.accuracy.left_out / unit, found.accuracy.left_out, 1e-9 * found.accuracy.left_out, "left_out");
+    check_near(same.result.left_out / unit, found.result.left_out, 1e-9 * found.result.left_out, "left_out");
   }
 }
 
@@ -219,7 +218,7 @@ void stored_matrices_have_no_coarser_grid() {
   problem.system.dense = matrix.data();
   problem.system.dense_ld = static_cast<std::int64_t>(n);
   const Answer found = solved(problem, automatic, goal(0.1, "load"));
-  check_equal(found.accuracy.model_nx, 12, "model_nx");
+  check_equal(found.result.model_nx, 12, "model_nx");
   check_near(found.result.tolerance, 1e-3, 1e-15, "tolerance");
 }
 
@@ -241,21 +240,16 @@ void histories_go_on_within_their_goal() {
   path.targets = RC_IN(targets.data());
   path.undeformed_gap = RC_IN(problem.gap.data());
   path.columns.load = RC_OUT(load.data());
-  struct Seen {
-    rc_contact* contact;
-    int known = 0;
-  } seen{contact.handle()};
-  path.user = &seen;
+  int known = 0;
+  path.user = &known;
   path.fn = [](std::int64_t, const rc_result* result, void* user) -> std::int32_t {
-    rc_accuracy accuracy = RC_ACCURACY_INIT;
-    const rc_status status = rc_contact_accuracy(static_cast<Seen*>(user)->contact, &accuracy);
-    const bool coarser = accuracy.model_nx < 256 && accuracy.error_estimate > 0 && accuracy.error_estimate <= wanted;
-    static_cast<Seen*>(user)->known += status == RC_OK && coarser == (result->status == RC_WITHIN_GOAL);
+    const bool coarser = result->model_nx < 256 && result->error_estimate > 0 && result->error_estimate <= wanted;
+    *static_cast<int*>(user) += coarser == (result->status == RC_WITHIN_GOAL);
     return 0;
   };
   check_equal(rc_contact_solve_history(contact.handle(), &path), RC_WITHIN_GOAL, "status of the path");
   check(std::string(rc_last_error()).find("within accuracy") != std::string::npos, rc_last_error());
-  check_equal(seen.known, 3, "steps whose accuracy the callback could ask for");
+  check_equal(known, 3, "steps whose accuracy the callback saw");
   check_equal(path.completed, 3, "completed");
   for (std::size_t k = 0; k < targets.size(); ++k) {
     Problem step = problem;
@@ -334,8 +328,8 @@ void progress_is_reported_and_may_stop() {
     watch = {0, last};
     const Answer stopped = contact.solve(step);
     check_status(stopped, RC_STOP_CANCELLED, "stopped");
-    check(std::isfinite(stopped.result.load) && stopped.accuracy.model_nx > 0, "what was found is written");
-    check(last == 1 || (stopped.accuracy.model_nx < 256 && std::isnan(stopped.accuracy.error_estimate)),
+    check(std::isfinite(stopped.result.load) && stopped.result.model_nx > 0, "what was found is written");
+    check(last == 1 || (stopped.result.model_nx < 256 && std::isnan(stopped.result.error_estimate)),
           "the last grid that was solved");
   }
   check_equal(watch.calls, watch.last, "no call after the stop");

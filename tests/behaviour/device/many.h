@@ -94,8 +94,8 @@ inline Found solved(const Scene& s, const Contact& context, int threads = 1, con
   b.columns.products = RC_OUT(f.products.data());
   if (change) change(b);
   auto* const options = const_cast<rc_options*>(context.options());
-  assert_int_equal(rc_options_set_int(options, RC_OPT_THREADS, threads), RC_OK);
-  assert_int_equal(rc_options_set_real(options, RC_OPT_TOL, tol), RC_OK);
+  assert_int_equal(rc_options_set_number(options, RC_OPT_THREADS, threads), RC_OK);
+  assert_int_equal(rc_options_set_number(options, RC_OPT_TOL, tol), RC_OK);
   if (host_faults().fault == Fault::none) host_faults() = {.fault = Fault::once, .at = 0};  // counts calls
   f.status = rc_batch_solve(&s.system, options, &b);
   f.calls = host_faults().calls;

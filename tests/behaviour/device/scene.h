@@ -65,7 +65,7 @@ class Contact {
     assert_int_equal(rc_context_create(&config, &context_), RC_OK);
     assert_int_equal(rc_context_register(context_, plugin), RC_OK);
     assert_int_equal(rc_options_create(context_, &options_), RC_OK);
-    assert_int_equal(rc_options_set_real(options_, "cuda-host.memory_limit", memory_limit), RC_OK);
+    assert_int_equal(rc_options_set_number(options_, "cuda-host.memory_limit", memory_limit), RC_OK);
     use("haar-cuda-host", "cuda-host");
     assert_int_equal(rc_contact_create(&system, options_, &contact_), RC_OK);
   }

@@ -196,7 +196,7 @@ void options_of_the_solver_hold(void**) {
   assert_int_equal(found.status, RC_OK);
   assert_true(found.calls < s.few_calls());
   expect_near(found.p, one_at_a_time(s, context).p, 1e-5, "p");
-  assert_int_equal(rc_options_set_int(options, RC_OPT_MAX_ITER, 3), RC_OK);
+  assert_int_equal(rc_options_set_number(options, RC_OPT_MAX_ITER, 3), RC_OK);
   const Found stopped = solved(s, context);
   assert_int_equal(stopped.status, RC_STOP_MAX_ITER);
   assert_int_equal(stopped.iterations[0], 3);

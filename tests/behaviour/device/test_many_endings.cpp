@@ -139,7 +139,7 @@ void a_batch_ends_in_time(void**) {
   const Scene s = scene_of(24, 24, RC_BOUNDARY_FREE, RC_CONTROL_LOAD);
   const Contact context;
   auto* const options = const_cast<rc_options*>(context.options());
-  assert_int_equal(rc_options_set_real(options, RC_OPT_TIME_LIMIT, 1e-9), RC_OK);
+  assert_int_equal(rc_options_set_number(options, RC_OPT_TIME_LIMIT, 1e-9), RC_OK);
   const Found found = solved(s, context);
   assert_int_equal(found.status, RC_STOP_TIME);
   assert_int_equal(found.certified, 0);

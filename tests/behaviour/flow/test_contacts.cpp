@@ -40,7 +40,7 @@ struct Scene {
     rc_options* options = nullptr;
     rc_contact* contact = nullptr;
     require_usable(rc_options_create(nullptr, &options), "options");
-    require_usable(rc_options_set_real(options, RC_OPT_TOL, tol), "tol");
+    require_usable(rc_options_set_number(options, RC_OPT_TOL, tol), "tol");
     require_usable(rc_contact_create(&system, options, &contact), "contact");
     rc_options_destroy(options);
     Solution s;

@@ -181,8 +181,8 @@ void an_accuracy_goal_solves_the_whole_grid() {
   problem.system.hardness = 0.3 * largest(solve(problem, automatic, {{RC_OPT_TOL, "1e-6"}}).p);
   const Answer answer = solve(problem, automatic, {{RC_OPT_ACCURACY, "0.05"}});
   check_status(answer, RC_OK);
-  check_equal(answer.accuracy.model_nx, 128, "points of the model");
-  check(answer.accuracy.error_estimate == 0, "there is no error of a coarser grid");
+  check_equal(answer.result.model_nx, 128, "points of the model");
+  check(answer.result.error_estimate == 0, "there is no error of a coarser grid");
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ void auto_tells_the_first_cause() {
     rc_options* options = nullptr;
     check(rc_options_create(nullptr, &options) == RC_OK, rc_last_error());
     const std::string key = std::string(backend) + ".memory_limit";
-    if (rc_options_parse(options, key.c_str(), "1") == RC_OK) small.push_back({key, "1"});
+    if (rc_options_set_text(options, key.c_str(), "1") == RC_OK) small.push_back({key, "1"});
     rc_options_destroy(options);
   }
   const Answer answer = solve(problem, automatic, small);

@@ -15,6 +15,7 @@ extern "C" {
 namespace {
 
 int rank, ranks, failures;
+rc_exchange exchange = RC_EXCHANGE_INIT;
 
 void check(bool holds, const char* scene_name, std::int64_t at, const char* what) {
   if (holds) return;
@@ -38,7 +39,7 @@ class Job {
  public:
   explicit Job(const scene& s) : s_(s), system_(system_of(&s)) {
     std::int64_t first = 0, count = 0;
-    check(rc_mpi_rows(MPI_COMM_WORLD, &system_, &first, &count) == RC_OK, s.name, 0, "rows");
+    check(rc_ranks_rows(&exchange, &system_, &first, &count) == RC_OK, s.name, 0, "rows");
     const auto n = static_cast<std::size_t>(s.nx * count);
     gap_.resize(n + 1);
     deformed_.resize(n + 1);
@@ -46,7 +47,7 @@ class Job {
     mask_.resize(n + 1);
     fill_rows(&s, first, count, gap_.data(), mask_.data());
     rc_options_create(nullptr, &options_);
-    rc_options_set_int(options_, RC_OPT_STIFFNESS, s.stiffness);
+    rc_options_set_number(options_, RC_OPT_STIFFNESS, s.stiffness);
     rc_options_set_text(options_, "haar-cg.products", s.products);
   }
   ~Job() {
@@ -58,7 +59,7 @@ class Job {
 
   bool made() const { return contact_ != nullptr; }
   void drop() {
-    rc_mpi_contact_destroy(contact_);
+    rc_contact_destroy(contact_);
     contact_ = nullptr;
   }
   // Creates the contact, where there is none, and solves. fails_at: the allocation that fails, 0: none; whether it was reached.
@@ -73,8 +74,8 @@ class Job {
     result.p.data = p.data();
     result.gap.data = deformed_.data();
     support::fail_allocation(fails_at);
-    rc_status status = contact_ ? RC_OK : rc_mpi_contact_create(MPI_COMM_WORLD, &system_, options_, &contact_);
-    if (status == RC_OK) status = rc_mpi_contact_solve(contact_, &step, &result);
+    rc_status status = contact_ ? RC_OK : rc_ranks_contact_create(&exchange, &system_, options_, &contact_);
+    if (status == RC_OK) status = rc_contact_solve(contact_, &step, &result);
     failed = support::allocation_failed();
     support::fail_allocation(0);
     return status;
@@ -88,7 +89,7 @@ class Job {
   std::vector<double> gap_, deformed_;
   std::vector<std::uint8_t> mask_;
   rc_options* options_ = nullptr;
-  rc_mpi_contact* contact_ = nullptr;
+  rc_contact* contact_ = nullptr;
 };
 
 // An allocation of one rank fails: every `step`-th of the first `dense`, then ever fewer, each time on another rank. anew: of the
@@ -127,6 +128,7 @@ int main(int argc, char** argv) {
   MPI_Init(&argc, &argv);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  check(rc_mpi_exchange_create(MPI_COMM_WORLD, &exchange) == RC_OK, "all", 0, "exchange");
   constexpr std::int32_t free = RC_BOUNDARY_FREE, periodic = RC_BOUNDARY_PERIODIC, load = RC_CONTROL_LOAD;
   const scene dense[] = {{"dense", 64, 72, free, load, 0.05, 0, holes, "mixed", 0, 2, nullptr},
                          {"dense, periodic", 64, 64, periodic, RC_CONTROL_APPROACH, 0.04, 0, whole, "double", 0, 0, nullptr},
@@ -139,6 +141,7 @@ int main(int argc, char** argv) {
     for (const bool anew : {true, false}) every_allocation(s, anew, quick ? 400 : 500, quick ? 3 : 1);
   for (const scene& s : sparse) every_allocation(s, false, quick ? 200 : 400, quick ? 11 : 3);
   MPI_Allreduce(&failures, &worst, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
+  rc_mpi_exchange_destroy(&exchange);
   MPI_Finalize();
   return worst > 0;
 }

@@ -8,6 +8,7 @@
 #include "scenes.h"
 
 static int rank, ranks, failures;
+static rc_exchange exchange = RC_EXCHANGE_INIT;
 
 static void check(int holds, const char* scene_name, const char* what) {
   if (holds) return;
@@ -78,9 +79,9 @@ static void prepare(const scene* s, const rows* r, rc_step* step, rc_result* res
 static rc_options* options_of(const scene* s, int64_t threads) {
   rc_options* options = NULL;
   rc_options_create(NULL, &options);
-  rc_options_set_int(options, RC_OPT_THREADS, threads);
+  rc_options_set_number(options, RC_OPT_THREADS, threads);
   rc_options_set_text(options, "haar-cg.products", s->products);
-  rc_options_set_int(options, RC_OPT_STIFFNESS, s->stiffness);
+  rc_options_set_number(options, RC_OPT_STIFFNESS, s->stiffness);
   if (s->kernel) rc_options_set_text(options, RC_OPT_KERNEL, s->kernel);
   return options;
 }
@@ -141,16 +142,16 @@ static void compare(const scene* s, const rc_result* mine, const void* p_all) {
 static void run(const scene* s, int64_t threads) {
   const rc_system system = system_of(s);
   rc_options* options = options_of(s, threads);
-  rc_mpi_contact* contact = NULL;
+  rc_contact* contact = NULL;
   int64_t first = 0, count = 0;
-  check(rc_mpi_rows(MPI_COMM_WORLD, &system, &first, &count) == RC_OK, s->name, "rows");
+  check(rc_ranks_rows(&exchange, &system, &first, &count) == RC_OK, s->name, "rows");
   const rows r = rows_of(s, first, count);
   rc_step step;
   rc_result result;
   prepare(s, &r, &step, &result);
-  check(rc_mpi_contact_create(MPI_COMM_WORLD, &system, options, &contact) == RC_OK, s->name, "create");
+  check(rc_ranks_contact_create(&exchange, &system, options, &contact) == RC_OK, s->name, "create");
   if (!contact) MPI_Abort(MPI_COMM_WORLD, 1);
-  const rc_status status = rc_mpi_contact_solve(contact, &step, &result);
+  const rc_status status = rc_contact_solve(contact, &step, &result);
   check(status == RC_OK, s->name, "solve");
   const size_t of_row = (size_t)s->nx * (s->single ? sizeof(float) : sizeof(double));
   void* p = all_rows(s->single ? (void*)r.p_single : (void*)r.p, of_row, count, s->ny);
@@ -172,7 +173,7 @@ static void run(const scene* s, int64_t threads) {
   /* Two transpositions a product, in parts on large grids, one for the eigenvalues of a free surface; three sums an iteration,
    * and some for the certificate. */
   rc_ranks_counts counts = RC_RANKS_COUNTS_INIT;
-  check(rc_mpi_contact_counts(contact, &counts) == RC_OK, s->name, "counts");
+  check(rc_ranks_contact_counts(contact, &counts) == RC_OK, s->name, "counts");
   if (counts.products > 0) {
     check(s->nx > 500 || counts.transpositions == 2 * counts.products + (s->boundary == RC_BOUNDARY_FREE), s->name,
           "two transpositions a product");
@@ -204,12 +205,12 @@ static void run(const scene* s, int64_t threads) {
   const rc_status certified = s->single || s->hardness > 0 ? RC_UNCERTIFIED : RC_OK;
   rc_result again = RC_RESULT_INIT;
   again.p = result.p;
-  const rc_status status_again = rc_mpi_contact_certify(contact, &step, &again);
+  const rc_status status_again = rc_contact_certify(contact, &step, &again);
   check(status_again == RC_OK || status_again == certified, s->name, "certify");
   check(fabs(again.load - load) <= 1e-6 * load, s->name, "certified load");
   free(p);
   free(gap);
-  rc_mpi_contact_destroy(contact);
+  rc_contact_destroy(contact);
   rc_options_destroy(options);
   free_rows(r);
 }
@@ -236,11 +237,11 @@ static void history(const scene* s) {
   enum { steps = 4 };
   const double shares[steps] = {0.4, 0.8, 1, 0.6};
   const rc_system system = system_of(s);
-  rc_mpi_contact* contact = NULL;
+  rc_contact* contact = NULL;
   double targets[steps], loads[steps], stiffness[steps], mean_gap[steps], energy[steps];
   double lower[steps], upper[steps], less[steps], more[steps];
   int64_t first = 0, count = 0;
-  rc_mpi_rows(MPI_COMM_WORLD, &system, &first, &count);
+  rc_ranks_rows(&exchange, &system, &first, &count);
   const rows r = rows_of(s, first, count);
   watched of = {s, count};
   for (int i = 0; i < steps; ++i) targets[i] = shares[i] * s->target;
@@ -262,8 +263,8 @@ static void history(const scene* s) {
   }
   path.fn = watch;
   path.user = &of;
-  check(rc_mpi_contact_create(MPI_COMM_WORLD, &system, NULL, &contact) == RC_OK, s->name, "create");
-  check(rc_mpi_contact_solve_history(contact, &path) == RC_OK, s->name, "history");
+  check(rc_ranks_contact_create(&exchange, &system, NULL, &contact) == RC_OK, s->name, "create");
+  check(rc_contact_solve_history(contact, &path) == RC_OK, s->name, "history");
   check(path.completed == steps, s->name, "steps");
   for (int i = 0; i < steps; ++i) {
     check(fabs(loads[i] - targets[i]) <= 1e-7 * targets[i], s->name, "loads");
@@ -272,7 +273,7 @@ static void history(const scene* s) {
     check(lower[i] <= loads[i] && loads[i] <= upper[i], s->name, "interval of the load");
     check(s->hardness == 0 || (less[i] <= stiffness[i] && stiffness[i] <= more[i]), s->name, "interval of the stiffness");
   }
-  rc_mpi_contact_destroy(contact);
+  rc_contact_destroy(contact);
   free_rows(r);
 }
 
@@ -281,20 +282,20 @@ static rc_ranks_counts counted(int64_t iterations) {
   const scene* s = &scenes[0];
   const rc_system system = system_of(s);
   rc_options* options = options_of(s, 1);
-  rc_mpi_contact* contact = NULL;
+  rc_contact* contact = NULL;
   rc_ranks_counts counts = RC_RANKS_COUNTS_INIT;
   int64_t first = 0, count = 0;
   rc_step step;
   rc_result result;
-  rc_options_set_int(options, "haar-cg.nested", 0);
-  rc_options_set_int(options, RC_OPT_MAX_ITER, iterations);
-  rc_mpi_rows(MPI_COMM_WORLD, &system, &first, &count);
+  rc_options_set_number(options, "haar-cg.nested", 0);
+  rc_options_set_number(options, RC_OPT_MAX_ITER, iterations);
+  rc_ranks_rows(&exchange, &system, &first, &count);
   const rows r = rows_of(s, first, count);
   prepare(s, &r, &step, &result);
-  check(rc_mpi_contact_create(MPI_COMM_WORLD, &system, options, &contact) == RC_OK, s->name, "create");
-  check(rc_mpi_contact_solve(contact, &step, &result) == RC_STOP_MAX_ITER, s->name, "few iterations");
-  check(rc_mpi_contact_counts(contact, &counts) == RC_OK, s->name, "counts");
-  rc_mpi_contact_destroy(contact);
+  check(rc_ranks_contact_create(&exchange, &system, options, &contact) == RC_OK, s->name, "create");
+  check(rc_contact_solve(contact, &step, &result) == RC_STOP_MAX_ITER, s->name, "few iterations");
+  check(rc_ranks_contact_counts(contact, &counts) == RC_OK, s->name, "counts");
+  rc_contact_destroy(contact);
   rc_options_destroy(options);
   free_rows(r);
   return counts;
@@ -314,15 +315,15 @@ static void one_rank_violates(int changed) {
   const scene* s = &scenes[0];
   const rc_system system = system_of(s);
   rc_options* options = options_of(s, 1);
-  rc_mpi_contact* contact = NULL;
+  rc_contact* contact = NULL;
   int64_t first = 0, count = 0, highest = 0;
   rc_step step;
   rc_result result;
-  rc_mpi_rows(MPI_COMM_WORLD, &system, &first, &count);
+  rc_ranks_rows(&exchange, &system, &first, &count);
   const rows r = rows_of(s, first, count), all = rows_of(s, 0, s->ny);
   prepare(s, &r, &step, &result);
-  check(rc_mpi_contact_create(MPI_COMM_WORLD, &system, options, &contact) == RC_OK, s->name, "create");
-  check(rc_mpi_contact_solve(contact, &step, &result) == RC_OK, s->name, "solve");
+  check(rc_ranks_contact_create(&exchange, &system, options, &contact) == RC_OK, s->name, "create");
+  check(rc_contact_solve(contact, &step, &result) == RC_OK, s->name, "solve");
   for (int64_t i = 1; i < s->nx * count; ++i)
     if (r.p[i] > r.p[highest]) highest = i;
   const double before = count > 0 ? r.p[highest] : 0;
@@ -331,7 +332,7 @@ static void one_rank_violates(int changed) {
     if (rank == changed && count > 0) r.p[highest] = values[kind];
     rc_result mine = RC_RESULT_INIT;
     mine.p.data = r.p;
-    const rc_status status = rc_mpi_contact_certify(contact, &step, &mine);
+    const rc_status status = rc_contact_certify(contact, &step, &mine);
     double* p = all_rows(r.p, (size_t)s->nx * sizeof(double), count, s->ny);
     if (rank == 0) {
       rc_contact* one = NULL;
@@ -352,7 +353,7 @@ static void one_rank_violates(int changed) {
     }
     free(p);
   }
-  rc_mpi_contact_destroy(contact);
+  rc_contact_destroy(contact);
   rc_options_destroy(options);
   free_rows(r);
   free_rows(all);
@@ -363,6 +364,7 @@ int main(int argc, char** argv) {
   MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  check(rc_mpi_exchange_create(MPI_COMM_WORLD, &exchange) == RC_OK, "all", "exchange");
   const int64_t threads = argc > 1 ? atoll(argv[1]) : 1;
   for (int i = 0; i < scene_count; ++i) {
     int wanted = argc < 3;
@@ -376,6 +378,7 @@ int main(int argc, char** argv) {
   for (int changed = 0; changed < ranks && argc < 3; ++changed) one_rank_violates(changed);
   if (argc < 3) an_iteration_makes_three_sums();
   MPI_Allreduce(&failures, &worst, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
+  rc_mpi_exchange_destroy(&exchange);
   MPI_Finalize();
   return worst > 0;
 }

@@ -42,7 +42,7 @@ Owned<rc_contact> contact(rc_context* in, const std::vector<Setting>& settings, 
   if (rc_options_create(in, &options) != RC_OK) return nullptr;
   const Owned<rc_options> owned(options);
   for (const Setting& each : settings)
-    if (rc_options_parse(options, each.key, each.value) != RC_OK) return nullptr;
+    if (rc_options_set_text(options, each.key, each.value) != RC_OK) return nullptr;
   rc_system system = support::unit_system();
   system.nx = system.ny = side;
   system.hx = pitch;

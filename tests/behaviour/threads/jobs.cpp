@@ -50,7 +50,7 @@ Options options_for(const Job& job, rc_context* context) {
   if (rc_options_create(context, &made) != RC_OK) return nullptr;
   Options options(made);
   for (const auto& [key, value] : job.settings)
-    if (rc_options_parse(made, key, value) != RC_OK) return nullptr;
+    if (rc_options_set_text(made, key, value) != RC_OK) return nullptr;
   return options;
 }
 

@@ -59,7 +59,9 @@ void contexts_come_and_go_in_every_thread(void**) {
       if (const rc_status status = rc_context_create(nullptr, &context); status != RC_OK)
         return complain("rc_context_create", status);
       const Options options = options_for(jobs()[member % 2 == 0 ? 1 : 3], context);
-      const bool complete = rc_backend_count(context) >= 2 && rc_solver_count(context) >= 2 && rc_options_count(context) >= 10;
+      const bool complete = rc_component_count(context, RC_COMPONENT_BACKEND) >= 2 &&
+                            rc_component_count(context, RC_COMPONENT_SOLVER) >= 2 &&
+                            rc_component_count(context, RC_COMPONENT_OPTION) >= 10;
       rc_context_destroy(context);  // the options keep what they need
       if (!complete || !options) return "a context lacks components";
       return solve(jobs()[member % 2 == 0 ? 1 : 3], options.get()).complaint;
@@ -72,13 +74,13 @@ void a_fresh_context_is_first_used_by_all_threads_at_once(void**) {
   for (int round = 0; round < rounds(8); ++round) {
     rc_context* context = nullptr;
     assert_int_equal(rc_context_create(nullptr, &context), RC_OK);
-    const std::int64_t expected = rc_backend_count(nullptr);
+    const std::int64_t expected = rc_component_count(nullptr, RC_COMPONENT_BACKEND);
     together([&](int member) -> std::string {
-      if (member % 2 == 0 && rc_backend_count(context) != expected) return "backends are missing";
+      if (member % 2 == 0 && rc_component_count(context, RC_COMPONENT_BACKEND) != expected) return "backends are missing";
       const Options options = options_for(job_of(member), context);
       if (!options) return complain("options", RC_ERR_OPTION);
       const std::string complaint = solve(job_of(member), options.get()).complaint;
-      return rc_backend_count(context) == expected ? complaint : "backends are missing";
+      return rc_component_count(context, RC_COMPONENT_BACKEND) == expected ? complaint : "backends are missing";
     });
     rc_context_destroy(context);
   }
@@ -209,10 +211,10 @@ void every_thread_has_its_own_message(void**) {
     for (int round = 0; round < rounds(200); ++round) {
       rc_options* options = nullptr;
       if (rc_options_create(nullptr, &options) != RC_OK || *rc_last_error() != '\0') return "a message from elsewhere";
-      const rc_status status = rc_options_parse(options, key.c_str(), "1");
+      const rc_status status = rc_options_set_text(options, key.c_str(), "1");
       const bool own = std::strstr(rc_last_error(), key.c_str()) != nullptr;
       rc_options_destroy(options);
-      if (status != RC_ERR_OPTION || !own) return complain("rc_options_parse", status);
+      if (status != RC_ERR_OPTION || !own) return complain("rc_options_set_text", status);
     }
     return {};
   });

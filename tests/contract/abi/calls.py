@@ -97,13 +97,11 @@ def made(name, declared):
     """A struct with the values of its INIT macro, or zeros but for the size if Python does not have it."""
     if not hasattr(_structs, name):
         size, at = c_interface.layout(*declared)
-        room = (ctypes.c_int64 * (size // 8))(size if 'struct_size' in at else 0)
-        if name == 'rc_exchange':
-            room[at['ranks'] // 8] = 1
-            for function, alone in ALONE.items():
-                room[at[function] // 8] = ctypes.cast(alone, ctypes.c_void_p).value
-        return room
+        return (ctypes.c_int64 * (size // 8))(size if 'struct_size' in at else 0)
     struct = getattr(_structs, name)()
+    if name == 'rc_exchange':
+        for function, alone in ALONE.items():
+            setattr(struct, function, ctypes.cast(alone, dict(struct._fields_)[function]))
     if name == 'rc_system':
         struct.nx = struct.ny = 2
         struct.hx = struct.hy = struct.modulus = 1
@@ -154,8 +152,6 @@ def main():
         found = c_interface.read([f'roughcontact/{each}.h' for each in headers.split()], source / 'include', 'cc', known)
         if known is None:
             known = found
-            exchange = made('rc_exchange', (found.known['rc_exchange'], found.known))
-            HANDLES['rc_ranks_contact'] = handle(core.rc_ranks_contact_create, ctypes.byref(exchange), ctypes.byref(system), None)
         for function in found.functions.keys() - seen:
             seen.add(function)
             for argument, value, outcome in of_function(library[function], found.functions[function], found.known, last_error):

@@ -34,6 +34,17 @@ VALUE(RC_KERNEL_FAR_FIELD, 16);
 VALUE(RC_KERNEL_SEMI_PERIODIC, 32);
 VALUE(RC_KERNEL_HOMOGENEOUS, 64);
 
+SIZE(rc_option_spec, 64);
+AT(rc_option_spec, struct_size, 0);
+AT(rc_option_spec, key, 8);
+AT(rc_option_spec, default_value, 16);
+AT(rc_option_spec, choices, 24);
+AT(rc_option_spec, help, 32);
+AT(rc_option_spec, type, 40);
+AT(rc_option_spec, fixed, 44);
+AT(rc_option_spec, minimum, 48);
+AT(rc_option_spec, maximum, 56);
+
 SIZE(rc_host, 120);
 AT(rc_host, struct_size, 0);
 AT(rc_host, abi_major, 8);

@@ -14,17 +14,26 @@ template <class Set> auto on_options(const Set& set) {
   };
 }
 
-auto set_int(const char* key, std::int64_t value) {
-  return on_options([=](rc_options* o) { return rc_options_set_int(o, key, value); });
+auto set_number(const char* key, double value) {
+  return on_options([=](rc_options* o) { return rc_options_set_number(o, key, value); });
 }
-auto set_real(const char* key, double value) {
-  return on_options([=](rc_options* o) { return rc_options_set_real(o, key, value); });
+auto set_text(const char* key, const char* text) {
+  return on_options([=](rc_options* o) { return rc_options_set_text(o, key, text); });
 }
-auto set_text(const char* key, const char* value) {
-  return on_options([=](rc_options* o) { return rc_options_set_text(o, key, value); });
+
+// A number without a fraction is an integer, whatever function sets it.
+Outcome whole_number_set() {
+  const OptionsHandle options = options_with({});
+  const Outcome outcome = rc_options_set_number(options.get(), "max_iter", 7);
+  double most = 0;
+  assert_int_equal(rc_options_get_number(options.get(), "max_iter", &most), RC_OK);
+  assert_true(most == 7);
+  return outcome;
 }
-auto parse(const char* key, const char* text) {
-  return on_options([=](rc_options* o) { return rc_options_parse(o, key, text); });
+
+Outcome described(std::int32_t kind, std::int64_t i) {
+  rc_component component = RC_COMPONENT_INIT;
+  return rc_component_describe(nullptr, kind, i, &component);
 }
 
 auto changed_later(const char* key, const char* value) {
@@ -51,14 +60,14 @@ Outcome copied() {
   rc_options* copy = nullptr;
   const Outcome outcome = rc_options_copy(options.get(), &copy);
   const OptionsHandle keep(copy);
-  assert_int_equal(rc_options_set_real(options.get(), "tol", 1e-5), RC_OK);
-  assert_int_equal(rc_options_set_int(copy, "threads", 2), RC_OK);
+  assert_int_equal(rc_options_set_number(options.get(), "tol", 1e-5), RC_OK);
+  assert_int_equal(rc_options_set_number(copy, "threads", 2), RC_OK);
   double tol = 0;
-  std::int64_t threads = 0;
+  double threads = 0;
   const char* solver = nullptr;
-  assert_int_equal(rc_options_get_real(copy, "tol", &tol), RC_OK);
+  assert_int_equal(rc_options_get_number(copy, "tol", &tol), RC_OK);
   assert_int_equal(rc_options_get_text(copy, "solver", &solver), RC_OK);
-  assert_int_equal(rc_options_get_int(options.get(), "threads", &threads), RC_OK);
+  assert_int_equal(rc_options_get_number(options.get(), "threads", &threads), RC_OK);
   assert_true(tol == 1e-7 && threads == 3);
   assert_string_equal(solver, "nnls");
   return outcome;
@@ -89,7 +98,7 @@ Outcome tightened_later() {
 
 Outcome long_key() {
   const OptionsHandle options = options_with({});
-  return rc_options_parse(options.get(), std::string(100000, 'x').c_str(), "1");
+  return rc_options_set_text(options.get(), std::string(100000, 'x').c_str(), "1");
 }
 
 }  // namespace
@@ -101,47 +110,51 @@ Section options() {
       {
           {"unknown key",
            refused,
-           {"rc_options_parse: option \"maxiter\" is unknown; did you mean \"max_iter\"?"},
-           parse("maxiter", "5")},
-          {"empty key", refused, {"option \"\" is unknown"}, parse("", "5")},
+           {"rc_options_set_text: option \"maxiter\" is unknown; did you mean \"max_iter\"?"},
+           set_text("maxiter", "5")},
+          {"empty key", refused, {"option \"\" is unknown"}, set_text("", "5")},
           {"key of 100000 letters", refused, {"option \"xxxx"}, long_key},
-          {"key with a path in it", refused, {"option \"../../evil.key\" is unknown"}, parse("../../evil.key", "1")},
-          {"key of a backend that is not installed", refused, {"option \"nobody.speed\" is unknown"}, parse("nobody.speed", "1")},
-          {"integer for a text", refused, {"rc_options_set_int: option \"solver\" takes a text"}, set_int("solver", 1)},
-          {"integer for a real number: converted", RC_OK, {}, set_int("time_limit", 5)},
-          {"real number for an integer",
+          {"key with a path in it", refused, {"option \"../../evil.key\" is unknown"}, set_text("../../evil.key", "1")},
+          {"key of a backend that is not installed",
            refused,
-           {"rc_options_set_real: option \"max_iter\" takes an integer"},
-           set_real("max_iter", 5)},
-          {"text for a real number",
+           {"option \"nobody.speed\" is unknown"},
+           set_text("nobody.speed", "1")},
+          {"number for a text", refused, {"rc_options_set_number: option \"solver\" takes a text"}, set_number("solver", 1)},
+          {"number without a fraction for an integer", RC_OK, {}, whole_number_set},
+          {"number with a fraction for an integer",
            refused,
-           {"rc_options_set_text: option \"tol\" takes a real number"},
-           set_text("tol", "1e-8")},
+           {"rc_options_set_number: option \"max_iter\" takes an integer, not 5.5"},
+           set_number("max_iter", 5.5)},
+          {"NaN for an integer", refused, {"option \"max_iter\" takes an integer, not nan"}, set_number("max_iter", nan)},
           {"text that is not a number",
            refused,
-           {"rc_options_parse: option \"tol\" takes a real number, not \"1e-8x\""},
-           parse("tol", "1e-8x")},
-          {"text with a decimal comma", refused, {"option \"tol\" takes a real number, not \"0,01\""}, parse("tol", "0,01")},
-          {"two signs", refused, {"option \"max_iter\" takes an integer, not \"+-5\""}, parse("max_iter", "+-5")},
+           {"rc_options_set_text: option \"tol\" takes a real number, not \"1e-8x\""},
+           set_text("tol", "1e-8x")},
+          {"text with a decimal comma", refused, {"option \"tol\" takes a real number, not \"0,01\""}, set_text("tol", "0,01")},
+          {"two signs", refused, {"option \"max_iter\" takes an integer, not \"+-5\""}, set_text("max_iter", "+-5")},
           {"integer that overflows",
            refused,
            {"option \"max_iter\" takes an integer, not \"99999999999999999999\""},
-           parse("max_iter", "99999999999999999999")},
-          {"tol = 0", refused, {"option \"tol\" = 0 is outside 1e-16 .. 0.1"}, set_real("tol", 0)},
-          {"tol = NaN", refused, {"option \"tol\" = nan is outside 1e-16 .. 0.1"}, set_real("tol", nan)},
+           set_text("max_iter", "99999999999999999999")},
+          {"tol = 0", refused, {"option \"tol\" = 0 is outside 1e-16 .. 0.1"}, set_number("tol", 0)},
+          {"tol = NaN", refused, {"option \"tol\" = nan is outside 1e-16 .. 0.1"}, set_number("tol", nan)},
           {"time_limit = infinity",
            refused,
            {"option \"time_limit\" = inf is outside 0 .. 1000000000"},
-           set_real("time_limit", infinity)},
-          {"threads = 0", refused, {"option \"threads\" = 0 is outside 1 .. 1024"}, set_int("threads", 0)},
-          {"max_iter = INT64_MAX",
+           set_number("time_limit", infinity)},
+          {"threads = 0", refused, {"option \"threads\" = 0 is outside 1 .. 1024"}, set_number("threads", 0)},
+          {"max_iter = 1e300",
            refused,
-           {"option \"max_iter\" = ", "is outside 1 .. 1000000000"},
-           set_int("max_iter", INT64_MAX)},
+           {"option \"max_iter\" = 1e+300 is outside 1 .. 1000000000"},
+           set_number("max_iter", 1e300)},
+          {"max_iter = infinity",
+           refused,
+           {"option \"max_iter\" = inf is outside 1 .. 1000000000"},
+           set_number("max_iter", infinity)},
           {"text that is not one of the choices",
            refused,
            {"option \"fft.precision\" = \"mixt\" is none of auto|mixed|single; did you mean \"mixed\"?"},
-           parse("fft.precision", "mixt"),
+           set_text("fft.precision", "mixt"),
            "fft"},
           {"tolerance that single precision does not hold",
            refused,
@@ -153,21 +166,24 @@ Section options() {
            },
            "fft"},
           {"the same, set later", refused, {"rc_contact_solve: ", "fft: tol = 5e-06 is below 1e-05"}, tightened_later, "fft"},
-          {"read as another type",
+          {"text read as a number",
            refused,
-           {"rc_options_get_int: option \"tol\" has another type"},
+           {"rc_options_get_number: option \"solver\" is a text; use rc_options_get_text"},
            on_options([](rc_options* o) {
-             std::int64_t out = 0;
-             return rc_options_get_int(o, "tol", &out);
+             double out = 0;
+             return rc_options_get_number(o, "solver", &out);
+           })},
+          {"number read as a text",
+           refused,
+           {"rc_options_get_text: option \"tol\" is a number; use rc_options_get_number"},
+           on_options([](rc_options* o) {
+             const char* out = nullptr;
+             return rc_options_get_text(o, "tol", &out);
            })},
           {"option number out of range",
            RC_ERR_ARGUMENT,
-           {"rc_options_describe: i = -1: there are "},
-           [] {
-             rc_option_spec spec{};
-             spec.struct_size = sizeof spec;
-             return rc_options_describe(nullptr, -1, &spec);
-           }},
+           {"rc_component_describe: i = -1: there are "},
+           [] { return described(RC_COMPONENT_OPTION, -1); }},
           {"kernel changed after the contact was made",
            refused,
            {"rc_contact_set_options: option \"kernel\" is fixed when the contact is created; make a new contact to change it"},
@@ -326,8 +342,16 @@ Section names() {
            [] { return pair("x", "dense", RC_CONTROL_LOAD); }},
           {"pair: control = 3",
            RC_ERR_ARGUMENT,
-           {"rc_pair_supported: control = 3 is neither 1 nor 2"},
+           {"rc_pair_supported: control = 3 is none of RC_CONTROL_APPROACH (1), RC_CONTROL_LOAD (2), RC_CONTROL_AREA (4), "
+            "RC_CONTROL_PRESSURE (8)"},
            [] { return pair("nnls", "callback", 3); }},
+          {"pair: a mean pressure", RC_OK, {}, [] { return pair("nnls", "callback", RC_CONTROL_PRESSURE); }},
+          {"pair: an area, no factorisation and no fallback",
+           incompatible,
+           {"backend \"callback\": solver \"nnls\" needs systems on subsets"},
+           [] {
+             return pair("nnls", "callback", RC_CONTROL_AREA, options_with({{"allow_fallback", "0"}}).get());
+           }},
           {"pair: operator and backend",
            incompatible,
            {"backend \"dense\" cannot do the caller's product"},
@@ -341,12 +365,13 @@ Section names() {
            }},
           {"component number out of range",
            RC_ERR_ARGUMENT,
-           {"rc_kernel_describe: i = 99: there are 7, numbered from 0"},
-           [] {
-             rc_component component{};
-             component.struct_size = sizeof component;
-             return rc_kernel_describe(nullptr, 99, &component);
-           }},
+           {"rc_component_describe: i = 99: there are 7, numbered from 0"},
+           [] { return described(RC_COMPONENT_KERNEL, 99); }},
+          {"component of an unknown kind",
+           RC_ERR_ARGUMENT,
+           {"rc_component_describe: kind = 5 is none of RC_COMPONENT_SOLVER (1), RC_COMPONENT_BACKEND (2), RC_COMPONENT_KERNEL "
+            "(3), RC_COMPONENT_OPTION (4)"},
+           [] { return described(5, 0); }},
           {"context with unknown flags",
            RC_ERR_ARGUMENT,
            {"rc_context_create: rc_context_config.flags = 12 has unknown bits"},

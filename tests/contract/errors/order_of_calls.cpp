@@ -171,14 +171,31 @@ Outcome used_by_a_static_destructor() {
   return outcome;
 }
 
-Outcome accuracy_after_a_step() {
+// The answer says which grid it is of.
+Outcome grid_of_an_answer() {
   const Scene scene;
-  const ContactHandle contact = made(scene);
-  assert_int_equal(rc_contact_solve(contact.get(), &scene.step, answer().result()), RC_OK);
-  rc_accuracy accuracy = RC_ACCURACY_INIT;
-  const Outcome outcome = rc_contact_accuracy(contact.get(), &accuracy);
-  assert_true(accuracy.model_nx == scene.system.nx && accuracy.model_ny == scene.system.ny && accuracy.left_out == 0);
+  const Outcome outcome = solve(made(scene).get(), scene);
+  const rc_result& found = *answer().result();
+  assert_true(found.model_nx == scene.system.nx && found.model_ny == scene.system.ny && found.left_out == 0);
   return outcome;
+}
+
+// A contact that ranks share, cancelled by one of them before a step.
+Outcome shared_and_cancelled() {
+  const Scene scene;
+  const ContactHandle contact = shared(scene);
+  rc_contact_cancel(contact.get());
+  const Outcome outcome = solve(contact.get(), scene);
+  assert_int_equal(solve(contact.get(), scene), RC_OK);
+  return outcome;
+}
+
+template <class Call> auto on_shared(const Call& call) {
+  return [call] {
+    const Scene scene;
+    const ContactHandle contact = shared(scene);
+    return Outcome(call(contact.get()));
+  };
 }
 
 }  // namespace
@@ -225,14 +242,30 @@ Section order_of_calls() {
                RC_STOP_TIME,
                {"rc_solve: stopped at time_limit before the tolerance was reached"},
                too_little_time},
-              {"accuracy before any step",
-               RC_ERR_ARGUMENT,
-               {"rc_contact_accuracy: there is no answer yet, or the last step failed"},
+              {"grid of an answer", RC_OK, {}, grid_of_an_answer},
+              {"cancelled contact that ranks share", RC_STOP_CANCELLED, {"rc_contact_solve: "}, shared_and_cancelled},
+              {"reset of a contact that ranks share",
+               RC_ERR_INCOMPATIBLE,
+               {"rc_contact_reset: ranks share the contact: it has rc_contact_solve, rc_contact_solve_history and "
+                "rc_contact_certify"},
+               on_shared([](rc_contact* contact) { return rc_contact_reset(contact); })},
+              {"counts of a contact that no ranks share",
+               RC_ERR_INCOMPATIBLE,
+               {"rc_ranks_contact_counts: no ranks share the contact: rc_contact_create has made it"},
                [] {
-                 rc_accuracy accuracy = RC_ACCURACY_INIT;
-                 return rc_contact_accuracy(made(Scene()).get(), &accuracy);
+                 rc_ranks_counts counts = RC_RANKS_COUNTS_INIT;
+                 return rc_ranks_contact_counts(made(Scene()).get(), &counts);
                }},
-              {"accuracy after a step", RC_OK, {}, accuracy_after_a_step},
+              {"rows between ranks whose exchange is refused",
+               RC_ERR_ARGUMENT,
+               {"rc_ranks_rows: no network"},
+               [] {
+                 const Scene scene;
+                 rc_exchange exchange = RC_EXCHANGE_INIT;
+                 exchange.refused = "no network";
+                 std::int64_t first = 0, count = 0;
+                 return rc_ranks_rows(&exchange, &scene.system, &first, &count);
+               }},
               {"step without a gap after a refused step", RC_OK, {}, refused_step_forgotten},
               {"step without a gap after a reset",
                RC_ERR_ARGUMENT,

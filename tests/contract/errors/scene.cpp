@@ -66,7 +66,7 @@ Scene callback_scene(std::int32_t (*apply)(const double*, double*, std::int64_t,
 OptionsHandle options_with(std::initializer_list<std::pair<const char*, const char*>> settings) {
   rc_options* options = nullptr;
   assert_int_equal(rc_options_create(nullptr, &options), RC_OK);
-  for (const auto& [key, value] : settings) assert_int_equal(rc_options_parse(options, key, value), RC_OK);
+  for (const auto& [key, value] : settings) assert_int_equal(rc_options_set_text(options, key, value), RC_OK);
   return OptionsHandle(options);
 }
 
@@ -81,6 +81,26 @@ rc_status create(const Scene& scene, const rc_options* options) {
 ContactHandle made(const Scene& scene, const rc_options* options) {
   rc_contact* contact = nullptr;
   assert_int_equal(rc_contact_create(&scene.system, options, &contact), RC_OK);
+  return ContactHandle(contact);
+}
+
+rc_exchange one_rank() {
+  rc_exchange alone = RC_EXCHANGE_INIT;
+  alone.gather = [](void*, const void* mine, const std::int64_t* bytes, void* all) -> const char* {
+    std::memmove(all, mine, static_cast<std::size_t>(*bytes));
+    return nullptr;
+  };
+  alone.transpose = [](void*, const void*, const std::int64_t*, void*, const std::int64_t*) -> const char* { return "unused"; };
+  alone.shift = [](void*, std::int64_t, const void*, std::int64_t, std::int64_t, void*, std::int64_t) -> const char* {
+    return "unused";
+  };
+  return alone;
+}
+
+ContactHandle shared(const Scene& scene) {
+  const rc_exchange exchange = one_rank();
+  rc_contact* contact = nullptr;
+  assert_int_equal(rc_ranks_contact_create(&exchange, &scene.system, nullptr, &contact), RC_OK);
   return ContactHandle(contact);
 }
 

@@ -1,6 +1,7 @@
 // A small valid problem, to be spoiled in one place by each case.
 #pragma once
 
+#include <roughcontact/ranks.h>
 #include <roughcontact/registry.h>
 
 #include <array>
@@ -58,6 +59,8 @@ Scene callback_scene(std::int32_t (*apply)(const double*, double*, std::int64_t,
 OptionsHandle options_with(std::initializer_list<std::pair<const char*, const char*>> settings);
 rc_status create(const Scene& scene, const rc_options* options = nullptr);  // and destroy; a refused contact must be null
 ContactHandle made(const Scene& scene, const rc_options* options = nullptr);
+rc_exchange one_rank();  // shares with none
+ContactHandle shared(const Scene& scene);
 rc_status solve(const Scene& scene, const rc_options* options = nullptr);  // one shot, into answer()
 rc_status solve(rc_contact* contact, const Scene& scene);
 

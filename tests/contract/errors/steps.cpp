@@ -39,7 +39,7 @@ auto hard(double target, std::initializer_list<std::pair<const char*, const char
     scene.step.control = control;
     scene.step.target = target;
     const OptionsHandle options = options_with({});
-    for (const auto& [key, value] : kept) assert_int_equal(rc_options_parse(options.get(), key, value), RC_OK);
+    for (const auto& [key, value] : kept) assert_int_equal(rc_options_set_text(options.get(), key, value), RC_OK);
     return solve(scene, options.get());
   };
 }

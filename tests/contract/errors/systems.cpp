@@ -1,7 +1,5 @@
 #include <roughcontact/product.h>
-#include <roughcontact/ranks.h>
 
-#include <cstring>
 #include <vector>
 
 #include "case.h"
@@ -34,18 +32,10 @@ auto shared_grid(std::int64_t nx, std::int64_t ny) {
     Scene scene;
     scene.system.nx = nx;
     scene.system.ny = ny;
-    rc_exchange alone = RC_EXCHANGE_INIT;
-    alone.gather = [](void*, const void* mine, const std::int64_t* bytes, void* all) -> const char* {
-      std::memmove(all, mine, static_cast<std::size_t>(*bytes));
-      return nullptr;
-    };
-    alone.transpose = [](void*, const void*, const std::int64_t*, void*, const std::int64_t*) -> const char* { return "unused"; };
-    alone.shift = [](void*, std::int64_t, const void*, std::int64_t, std::int64_t, void*, std::int64_t) -> const char* {
-      return "unused";
-    };
-    rc_ranks_contact* contact = nullptr;
+    const rc_exchange alone = one_rank();
+    rc_contact* contact = nullptr;
     const Outcome outcome = rc_ranks_contact_create(&alone, &scene.system, nullptr, &contact);
-    rc_ranks_contact_destroy(contact);
+    rc_contact_destroy(contact);
     return outcome;
   };
 }

@@ -56,10 +56,10 @@ class Silence {
 };
 
 bool has_plugin(const char* name) {
-  for (std::int64_t i = 0; i < rc_backend_count(nullptr); ++i) {
+  for (std::int64_t i = 0; i < rc_component_count(nullptr, RC_COMPONENT_BACKEND); ++i) {
     rc_component component{};
     component.struct_size = sizeof component;
-    if (rc_backend_describe(nullptr, i, &component) == RC_OK && std::strcmp(component.name, name) == 0)
+    if (rc_component_describe(nullptr, RC_COMPONENT_BACKEND, i, &component) == RC_OK && std::strcmp(component.name, name) == 0)
       return std::strcmp(component.origin, "built-in") != 0;
   }
   return false;

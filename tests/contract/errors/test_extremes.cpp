@@ -49,7 +49,7 @@ void solve_one(Draw& draw, rc_options* options) {
     constexpr const char* backends[] = {"auto", "dense", "fft"};
     rc_options_set_text(options, key, (key[0] == 's' ? solvers : backends)[draw.below(3)]);
   }
-  rc_options_set_int(options, RC_OPT_STIFFNESS, draw.below(2));
+  rc_options_set_number(options, RC_OPT_STIFFNESS, draw.below(2));
 
   rc_result result = RC_RESULT_INIT;
   result.p.data = p.data();

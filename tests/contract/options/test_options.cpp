@@ -49,7 +49,7 @@ rc_options* fresh_options(rc_context* context, const Option& option, const Names
   const auto has = [&](const std::vector<std::string>& list) { return std::find(list.begin(), list.end(), owner) != list.end(); };
   if (has(names.backends)) rc_options_set_text(handle, RC_OPT_BACKEND, owner.c_str());
   if (has(names.solvers)) rc_options_set_text(handle, RC_OPT_SOLVER, owner.c_str());
-  rc_options_set_real(handle, RC_OPT_TIME_LIMIT, 5);
+  rc_options_set_number(handle, RC_OPT_TIME_LIMIT, 5);
   return handle;
 }
 
@@ -67,7 +67,7 @@ int run(const char* key, const char* kind) {
   for (const std::string& value : values.inside) {
     announce(*option, value);
     rc_options* const handle = fresh_options(context, *option, names);
-    const rc_status set = rc_options_parse(handle, key, value.c_str());
+    const rc_status set = rc_options_set_text(handle, key, value.c_str());
     const bool refused = set != RC_OK && option->type == RC_TYPE_TEXT && *rc_last_error() != '\0';
     const std::string fault = set == RC_OK ? scene.judge(handle, memory)
                               : refused    ? ""
@@ -80,7 +80,7 @@ int run(const char* key, const char* kind) {
   for (const std::string& value : values.outside) {
     announce(*option, value);
     rc_options* const handle = fresh_options(context, *option, names);
-    const bool refused = rc_options_parse(handle, key, value.c_str()) == RC_ERR_OPTION && std::strstr(rc_last_error(), key);
+    const bool refused = rc_options_set_text(handle, key, value.c_str()) == RC_ERR_OPTION && std::strstr(rc_last_error(), key);
     rc_options_destroy(handle);
     if (refused) continue;
     std::printf("not refused\n");

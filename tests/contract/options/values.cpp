@@ -25,13 +25,11 @@ std::vector<std::string> parts(const std::string& choices) {
   return found;
 }
 
-std::vector<std::string> names(rc_context* context, std::int64_t count,
-                               rc_status (*describe)(rc_context*, std::int64_t, rc_component*)) {
+std::vector<std::string> names(rc_context* context, std::int32_t kind) {
   std::vector<std::string> found;
-  for (std::int64_t i = 0; i < count; ++i) {
-    rc_component component{};
-    component.struct_size = sizeof component;
-    if (describe(context, i, &component) == RC_OK) found.emplace_back(component.name);
+  for (std::int64_t i = 0; i < rc_component_count(context, kind); ++i) {
+    rc_component component = RC_COMPONENT_INIT;
+    if (rc_component_describe(context, kind, i, &component) == RC_OK) found.emplace_back(component.name);
   }
   return found;
 }
@@ -47,19 +45,16 @@ rc_context* make_context() {
 
 std::vector<Option> all_options(rc_context* context) {
   std::vector<Option> found;
-  for (std::int64_t i = 0, n = rc_options_count(context); i < n; ++i) {
-    rc_option_spec spec{};
-    spec.struct_size = sizeof spec;
-    if (rc_options_describe(context, i, &spec) != RC_OK) continue;
-    found.push_back({spec.key, spec.default_value, spec.choices ? spec.choices : "", spec.type, spec.minimum, spec.maximum});
+  for (std::int64_t i = 0, n = rc_component_count(context, RC_COMPONENT_OPTION); i < n; ++i) {
+    rc_component spec = RC_COMPONENT_INIT;
+    if (rc_component_describe(context, RC_COMPONENT_OPTION, i, &spec) != RC_OK) continue;
+    found.push_back({spec.name, spec.default_value, spec.choices ? spec.choices : "", spec.type, spec.minimum, spec.maximum});
   }
   return found;
 }
 
 Names all_names(rc_context* context) {
-  return {names(context, rc_backend_count(context), rc_backend_describe),
-          names(context, rc_solver_count(context), rc_solver_describe),
-          names(context, rc_kernel_count(context), rc_kernel_describe)};
+  return {names(context, RC_COMPONENT_BACKEND), names(context, RC_COMPONENT_SOLVER), names(context, RC_COMPONENT_KERNEL)};
 }
 
 Values values_of(const Option& option, const Names& names) {

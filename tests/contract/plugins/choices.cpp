@@ -16,7 +16,7 @@ class Pressed {
  public:
   Pressed(const Registry& registry, const std::vector<std::pair<const char*, const char*>>& settings = {}) {
     assert_int_equal(rc_options_create(registry.get(), &options_), RC_OK);
-    for (const auto& [key, value] : settings) assert_int_equal(rc_options_parse(options_, key, value), RC_OK);
+    for (const auto& [key, value] : settings) assert_int_equal(rc_options_set_text(options_, key, value), RC_OK);
     rc_system system = support::unit_system();
     system.nx = system.ny = side;
     assert_int_equal(rc_contact_create(&system, options_, &contact_), RC_OK);

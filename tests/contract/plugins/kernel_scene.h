@@ -79,7 +79,7 @@ class Pressed {
           std::int64_t points = side)
       : side_(points) {
     assert_int_equal(rc_options_create(registry.get(), &options_), RC_OK);
-    for (const auto& [key, value] : settings) assert_int_equal(rc_options_parse(options_, key, value.c_str()), RC_OK);
+    for (const auto& [key, value] : settings) assert_int_equal(rc_options_set_text(options_, key, value.c_str()), RC_OK);
     system_.nx = system_.ny = side_;
     system_.hx = system_.hy = cell;
     system_.boundary = boundary;

@@ -17,10 +17,10 @@ void a_kernel_of_ones_own_serves_every_pair(void**) {
   const rc_kernel kernel = decay(sound);
   assert_int_equal(add(registry, kernel), RC_OK);
   const double wanted = load_of_matrix(1);
-  for (std::int64_t i = 0; i < rc_solver_count(registry.get()); ++i)
+  for (std::int64_t i = 0; i < rc_component_count(registry.get(), RC_COMPONENT_SOLVER); ++i)
     for (const char* backend : {"dense", "fft", "cholmod"}) {
       rc_component solver = RC_COMPONENT_INIT;
-      assert_int_equal(rc_solver_describe(registry.get(), i, &solver), RC_OK);
+      assert_int_equal(rc_component_describe(registry.get(), RC_COMPONENT_SOLVER, i, &solver), RC_OK);
       double periodic = 0;
       for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC}) {
         const Pressed pressed(registry,
@@ -58,9 +58,9 @@ void a_kernel_comes_from_a_file(void**) {
     assert_near(pressed.result.load, wanted * cell * cell, 1e-6);
   }
   bool found = false;
-  for (std::int64_t i = 0; i < rc_kernel_count(registry.get()); ++i) {
+  for (std::int64_t i = 0; i < rc_component_count(registry.get(), RC_COMPONENT_KERNEL); ++i) {
     rc_component each = RC_COMPONENT_INIT;
-    assert_int_equal(rc_kernel_describe(registry.get(), i, &each), RC_OK);
+    assert_int_equal(rc_component_describe(registry.get(), RC_COMPONENT_KERNEL, i, &each), RC_OK);
     if (std::string(each.name) != "toy-kernel") continue;
     found = true;
     assert_string_equal(each.origin, file.c_str());
@@ -79,7 +79,7 @@ void its_options_are_fixed(void**) {
   const rc_system system = support::unit_system();
   rc_contact* contact = nullptr;
   assert_int_equal(rc_contact_create(&system, options, &contact), RC_OK);
-  assert_int_equal(rc_options_set_real(options, "toy-kernel.rate", 2), RC_OK);
+  assert_int_equal(rc_options_set_number(options, "toy-kernel.rate", 2), RC_OK);
   assert_int_equal(rc_contact_set_options(contact, options), RC_ERR_OPTION);
   assert_message_has("option \"toy-kernel.rate\" is fixed when the contact is created; make a new contact to change it");
   rc_contact_destroy(contact);

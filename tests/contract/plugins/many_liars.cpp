@@ -49,7 +49,7 @@ struct Scene {
     rc_options* options = nullptr;
     rc_contact* contact = nullptr;
     assert_int_equal(rc_options_create(nullptr, &options), RC_OK);
-    rc_options_set_real(options, RC_OPT_TOL, 1e-10);
+    rc_options_set_number(options, RC_OPT_TOL, 1e-10);
     assert_int_equal(rc_contact_create(&system, options, &contact), RC_OK);
     for (std::int64_t k = 0; k < steps; ++k) {
       std::vector<double> own(points);
@@ -157,7 +157,7 @@ Found solved(
   rc_options* options = nullptr;
   assert_int_equal(rc_options_create(registry.get(), &options), RC_OK);
   assert_int_equal(rc_options_set_text(options, RC_OPT_SOLVER, solver), RC_OK);
-  assert_int_equal(rc_options_set_real(options, RC_OPT_TOL, tol), RC_OK);
+  assert_int_equal(rc_options_set_number(options, RC_OPT_TOL, tol), RC_OK);
   Found f;
   const auto slots = static_cast<std::size_t>(of.n * of.steps);
   for (std::vector<double>* const each : {&f.load, &f.approach, &f.area, &f.certificate}) each->assign(slots, -7);

@@ -48,7 +48,7 @@ static rc_status run(struct solve wanted) {
   step.target = wanted.approach;
   rc_status status = rc_options_create(NULL, &options);
   if (status == RC_OK) status = rc_options_set_text(options, RC_OPT_BACKEND, wanted.backend);
-  if (status == RC_OK) status = rc_options_set_real(options, RC_OPT_TOL, wanted.tol);
+  if (status == RC_OK) status = rc_options_set_number(options, RC_OPT_TOL, wanted.tol);
   if (status == RC_OK) status = rc_solve(&system, &step, options, &result);
   rc_options_destroy(options);
   free(gap);

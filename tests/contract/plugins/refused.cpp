@@ -166,11 +166,10 @@ void a_refused_plugin_leaves_no_options(void**) {
   scratch.put({"second_is_bad"});
   const Registry registry(scratch.path());
   for (int attempt = 0; attempt < 2; ++attempt) assert_int_equal(registry.names("second_is_bad"), RC_ERR_PLUGIN);
-  for (std::int64_t i = 0; i < rc_options_count(registry.get()); ++i) {
-    rc_option_spec spec{};
-    spec.struct_size = sizeof spec;
-    assert_int_equal(rc_options_describe(registry.get(), i, &spec), RC_OK);
-    assert_true(std::string(spec.key).find("second_is_bad") == std::string::npos);
+  for (std::int64_t i = 0; i < rc_component_count(registry.get(), RC_COMPONENT_OPTION); ++i) {
+    rc_component option = RC_COMPONENT_INIT;
+    assert_int_equal(rc_component_describe(registry.get(), RC_COMPONENT_OPTION, i, &option), RC_OK);
+    assert_true(std::string(option.name).find("second_is_bad") == std::string::npos);
   }
 }
 

@@ -23,11 +23,12 @@ void a_linked_plugin_is_registered_and_solves(void**) {
 void the_same_plugin_is_registered_only_once(void**) {
   const Registry registry("", RC_CONTEXT_NO_PLUGINS);
   assert_int_equal(rc_context_register(registry.get(), &linked()), RC_OK);
-  const std::int64_t count = rc_backend_count(registry.get()), options = rc_options_count(registry.get());
+  const std::int64_t count = rc_component_count(registry.get(), RC_COMPONENT_BACKEND),
+                     options = rc_component_count(registry.get(), RC_COMPONENT_OPTION);
   assert_int_equal(rc_context_register(registry.get(), &linked()), RC_ERR_PLUGIN);
   assert_message_has("rc_context_register: plugin \"linked\" (registered): a component named \"linked\" is registered already");
-  assert_int_equal(rc_backend_count(registry.get()), count);
-  assert_int_equal(rc_options_count(registry.get()), options);
+  assert_int_equal(rc_component_count(registry.get(), RC_COMPONENT_BACKEND), count);
+  assert_int_equal(rc_component_count(registry.get(), RC_COMPONENT_OPTION), options);
 }
 
 void contexts_do_not_share_what_is_registered(void**) {

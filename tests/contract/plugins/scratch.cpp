@@ -80,7 +80,7 @@ double Registry::load(const std::string& solver, const std::string& backend, std
   assert_int_equal(rc_options_create(context_, &options), RC_OK);
   assert_int_equal(rc_options_set_text(options, RC_OPT_SOLVER, solver.c_str()), RC_OK);
   assert_int_equal(rc_options_set_text(options, RC_OPT_BACKEND, backend.c_str()), RC_OK);
-  assert_int_equal(rc_options_set_real(options, RC_OPT_TOL, 1e-10), RC_OK);
+  assert_int_equal(rc_options_set_number(options, RC_OPT_TOL, 1e-10), RC_OK);
   std::vector<double> gap(nx * ny);
   for (std::int64_t i = 0; i < nx * ny; ++i) {
     const double x = static_cast<double>(i % nx) - 2.5, y = static_cast<double>(i / nx) - 2;
@@ -99,10 +99,10 @@ double Registry::load(const std::string& solver, const std::string& backend, std
 }
 
 std::string Registry::origin(const std::string& backend) const {
-  for (std::int64_t i = 0; i < rc_backend_count(context_); ++i) {
+  for (std::int64_t i = 0; i < rc_component_count(context_, RC_COMPONENT_BACKEND); ++i) {
     rc_component component{};
     component.struct_size = sizeof component;
-    assert_int_equal(rc_backend_describe(context_, i, &component), RC_OK);
+    assert_int_equal(rc_component_describe(context_, RC_COMPONENT_BACKEND, i, &component), RC_OK);
     if (backend == component.name) return component.origin;
   }
   return {};

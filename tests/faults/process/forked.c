@@ -39,11 +39,11 @@ static int threads(void) {
   return count;
 }
 
-static rc_component described(rc_status (*describe)(rc_context*, int64_t, rc_component*), int64_t i) {
+static rc_component described(int32_t kind, int64_t i) {
   rc_component component;
   memset(&component, 0, sizeof component);
   component.struct_size = sizeof component;
-  if (describe(NULL, i, &component) != RC_OK) exit(3);
+  if (rc_component_describe(NULL, kind, i, &component) != RC_OK) exit(3);
   return component;
 }
 
@@ -51,10 +51,11 @@ int main(void) {
   unsigned random = 1;
   int pairs = 0, failures = 0;
   for (int i = 0; i < N * N; ++i) gap[i] = (double)((random = random * 1664525u + 1013904223u) >> 8) / 16777216;
-  const int64_t backends = rc_backend_count(NULL), solvers = rc_solver_count(NULL);
+  const int64_t backends = rc_component_count(NULL, RC_COMPONENT_BACKEND),
+                solvers = rc_component_count(NULL, RC_COMPONENT_SOLVER);
   for (int64_t b = 0; b < backends; ++b)
     for (int64_t s = 0; s < solvers; ++s) {
-      const rc_component backend = described(rc_backend_describe, b), solver = described(rc_solver_describe, s);
+      const rc_component backend = described(RC_COMPONENT_BACKEND, b), solver = described(RC_COMPONENT_SOLVER, s);
       const rc_status expected = solve(backend.name, solver.name);
       if (expected < 0) continue; /* a pair that does not go together */
       ++pairs;

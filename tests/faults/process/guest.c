@@ -218,7 +218,7 @@ static void ended_by(const Call* call, enum Means by, int threads) {
                                "pthread_cancel in a function",
                                "asynchronous cancellation"};
   snprintf(what, sizeof what, "%s, %d threads", names[by], threads);
-  rc_options_set_int(options, RC_OPT_THREADS, threads);
+  rc_options_set_number(options, RC_OPT_THREADS, threads);
   means = NONE;
   caller = pthread_self();
   if (rc_contact_create(&matrix, options, &contact) != RC_OK || solve() != RC_OK) check(0, call->name, rc_last_error());
@@ -259,7 +259,7 @@ static void signals_reach_the_host(void) {
   sigset_t set;
   sigemptyset(&set);
   sigaddset(&set, SIGUSR1);
-  rc_options_set_int(options, RC_OPT_THREADS, 3);
+  rc_options_set_number(options, RC_OPT_THREADS, 3);
   check(rc_contact_create(&matrix, options, &contact) == RC_OK && solve() == RC_OK, "signal", rc_last_error());
   pthread_sigmask(SIG_BLOCK, &set, NULL);
   kill(getpid(), SIGUSR1);
@@ -272,11 +272,11 @@ static void signals_reach_the_host(void) {
 
 /* Calls that must not be cut short return, although a cancellation is pending. */
 static int calls_that_returned;
-static rc_ranks_contact* shared;
+static rc_contact* shared;
 static void* call_at_the_end(void* unused) {
   (void)unused;
   pthread_cancel(pthread_self());
-  rc_ranks_contact_destroy(shared);
+  rc_contact_destroy(shared);
   ++calls_that_returned;
   if (rc_usable_cores(0) >= 1) ++calls_that_returned;
   if (rc_file_write("/dev/null", "text", 4) == RC_OK) ++calls_that_returned;
@@ -304,7 +304,7 @@ static void short_calls_return(void) {
   system.boundary = RC_BOUNDARY_PERIODIC;
   system.nx = system.ny = 64;
   system.hx = system.hy = system.modulus = 1;
-  rc_options_set_int(options, RC_OPT_THREADS, 3);
+  rc_options_set_number(options, RC_OPT_THREADS, 3);
   check(rc_ranks_contact_create(&alone, &system, options, &shared) == RC_OK, "short calls", rc_last_error());
   pthread_create(&thread, NULL, call_at_the_end, NULL);
   pthread_join(thread, &ending);
@@ -318,7 +318,7 @@ static void short_calls_return(void) {
 }
 
 static void without_a_second_thread(void) {
-  rc_options_set_int(options, RC_OPT_THREADS, 4);
+  rc_options_set_number(options, RC_OPT_THREADS, 4);
   threads_refused = 1;
   check(rc_contact_create(&matrix, options, &contact) == RC_OK && solve() == RC_OK, "one thread", rc_last_error());
   check(batch() == RC_OK, "one thread", "batch");
@@ -343,7 +343,7 @@ int main(void) {
   matrix.apply = multiply;
   caller = pthread_self();
   if (rc_options_create(NULL, &options) != RC_OK || roughen() != RC_OK) return 1;
-  rc_options_set_real(options, RC_OPT_TOL, 1e-10);
+  rc_options_set_number(options, RC_OPT_TOL, 1e-10);
 
   without_a_second_thread();
   signals_reach_the_host();
@@ -360,7 +360,7 @@ int main(void) {
       ended_by(&calls[i], EXIT_IN_FUNCTION, threads);
       ended_by(&calls[i], CANCEL_IN_FUNCTION, threads);
     }
-  rc_options_set_int(options, RC_OPT_THREADS, 2);
+  rc_options_set_number(options, RC_OPT_THREADS, 2);
   pthread_t thread;
   if (rc_contact_create(&matrix, options, &contact) != RC_OK) return 1;
   pthread_create(&thread, NULL, solve_for_ever, NULL);

@@ -22,8 +22,8 @@ static rc_status solve(int n, const char* memory_limit) {
   rc_status status = rc_options_create(NULL, &options);
   if (status == RC_OK) status = rc_options_set_text(options, RC_OPT_BACKEND, "cholmod");
   if (status == RC_OK) status = rc_options_set_text(options, RC_OPT_SOLVER, "nnls");
-  if (status == RC_OK) status = rc_options_parse(options, "cholmod.near_field", "20000");
-  if (status == RC_OK) status = rc_options_parse(options, "cholmod.memory_limit", memory_limit);
+  if (status == RC_OK) status = rc_options_set_text(options, "cholmod.near_field", "20000");
+  if (status == RC_OK) status = rc_options_set_text(options, "cholmod.memory_limit", memory_limit);
   if (status == RC_OK) status = rc_solve(&system, &step, options, &result);
   printf("%d x %d, %s MiB: %s: %s\n", n, n, memory_limit, rc_status_name(status), status < 0 ? rc_last_error() : "");
   rc_options_destroy(options);

@@ -21,12 +21,12 @@ bool once(const char* path) {
   if (!library) return false;
   const auto create = reinterpret_cast<decltype(&rc_context_create)>(dlsym(library, "rc_context_create"));
   const auto destroy = reinterpret_cast<decltype(&rc_context_destroy)>(dlsym(library, "rc_context_destroy"));
-  const auto count = reinterpret_cast<decltype(&rc_backend_count)>(dlsym(library, "rc_backend_count"));
+  const auto count = reinterpret_cast<decltype(&rc_component_count)>(dlsym(library, "rc_component_count"));
   rc_context* context = nullptr;
   if (!create || !destroy || !count || create(nullptr, &context) != RC_OK) return false;
-  const std::int64_t found = count(context);
+  const std::int64_t found = count(context, RC_COMPONENT_BACKEND);
   destroy(context);
-  return count(nullptr) == found && dlclose(library) == 0;
+  return count(nullptr, RC_COMPONENT_BACKEND) == found && dlclose(library) == 0;
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ int main(int argc, char** argv) {
   int ended = refused(rc_options_create(NULL, &options));
   if (!ended) ended = refused(rc_options_set_text(options, RC_OPT_BACKEND, argv[1]));
   if (!ended) ended = refused(rc_options_set_text(options, RC_OPT_SOLVER, argv[2]));
-  if (!ended && change) ended = refused(rc_options_set_int(options, RC_OPT_STIFFNESS, 2));
+  if (!ended && change) ended = refused(rc_options_set_number(options, RC_OPT_STIFFNESS, 2));
   if (!ended) ended = refused(rc_contact_create(&system, options, &contact));
   if (!ended) ended = solve(contact, gap, change);
   rc_contact_destroy(contact);

@@ -26,7 +26,7 @@ static rc_status solve(const char* backend) {
 }
 
 int main(void) {
-  if (rc_backend_count(NULL) < 1 || solve("dense") != RC_OK || solve("auto") != RC_OK) {
+  if (rc_component_count(NULL, RC_COMPONENT_BACKEND) < 1 || solve("dense") != RC_OK || solve("auto") != RC_OK) {
     puts(rc_last_error());
     return 1;
   }

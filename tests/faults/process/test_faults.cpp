@@ -108,7 +108,7 @@ class Life {
     step.undeformed_gap.data = given_.gap.data();
     step.target = 0.2;
     if (failed(rc_contact_solve(contact_, &step, &pressed_.result)) && left(pressed_.untouched(), "solve")) return status_;
-    if (failed(rc_options_set_int(options_, RC_OPT_STIFFNESS, 2)) || failed(rc_contact_set_options(contact_, options_)))
+    if (failed(rc_options_set_number(options_, RC_OPT_STIFFNESS, 2)) || failed(rc_contact_set_options(contact_, options_)))
       return status_;
     step.control = RC_CONTROL_LOAD;
     step.target = 0.5 * pressed_.result.load;
@@ -164,10 +164,11 @@ rc_context* made_context() {
 }
 
 bool has(rc_context* context, const char* backend) {
-  for (std::int64_t i = 0; i < rc_backend_count(context); ++i) {
+  for (std::int64_t i = 0; i < rc_component_count(context, RC_COMPONENT_BACKEND); ++i) {
     rc_component component{};
     component.struct_size = sizeof component;
-    if (rc_backend_describe(context, i, &component) == RC_OK && std::strcmp(component.name, backend) == 0) return true;
+    if (rc_component_describe(context, RC_COMPONENT_BACKEND, i, &component) == RC_OK && std::strcmp(component.name, backend) == 0)
+      return true;
   }
   return false;
 }
@@ -227,7 +228,8 @@ void lives_through_every_failed_allocation(void** state) {
 // The registry as well: what failed to load once can be loaded later.
 void a_context_survives_every_failed_allocation(void**) {
   rc_context* const complete = made_context();
-  const std::int64_t backends = rc_backend_count(complete), options = rc_options_count(complete);
+  const std::int64_t backends = rc_component_count(complete, RC_COMPONENT_BACKEND),
+                     options = rc_component_count(complete, RC_COMPONENT_OPTION);
   rc_context_destroy(complete);
   for (const bool forever : {false, true}) {
     bool reached = true;
@@ -237,13 +239,13 @@ void a_context_survives_every_failed_allocation(void**) {
       rc_context* context = nullptr;
       support::fail_allocation(k, forever);
       const rc_status status = rc_context_create(&config, &context);
-      if (status == RC_OK) rc_solver_count(context);
+      if (status == RC_OK) rc_component_count(context, RC_COMPONENT_SOLVER);
       reached = support::allocation_failed();
       support::fail_allocation(0);
       assert_memory(status, k);
       if (status == RC_OK) {
-        assert_int_equal(rc_backend_count(context), backends);
-        assert_int_equal(rc_options_count(context), options);
+        assert_int_equal(rc_component_count(context, RC_COMPONENT_BACKEND), backends);
+        assert_int_equal(rc_component_count(context, RC_COMPONENT_OPTION), options);
       } else {
         assert_null(context);
       }

@@ -10,20 +10,17 @@ static const char* const backends[] = {
     NULL};
 #undef RC_BACKEND
 
-typedef int64_t (*count_fn)(rc_context*);
-typedef rc_status (*describe_fn)(rc_context*, int64_t, rc_component*);
-
 static int is_of(const char* key, const char* component) {
   const size_t length = strlen(component);
   return strncmp(key, component, length) == 0 && key[length] == '.';
 }
 
 /* The component of this key; NULL: it is the core's. */
-static const char* owner(rc_context* context, const char* key, count_fn count, describe_fn describe) {
+static const char* owner(rc_context* context, const char* key, int32_t kind) {
   int64_t i;
-  for (i = 0; i < count(context); ++i) {
-    rc_component component = {sizeof component, NULL, NULL, NULL, NULL};
-    if (describe(context, i, &component) == RC_OK && is_of(key, component.name)) return component.name;
+  for (i = 0; i < rc_component_count(context, kind); ++i) {
+    rc_component component = RC_COMPONENT_INIT;
+    if (rc_component_describe(context, kind, i, &component) == RC_OK && is_of(key, component.name)) return component.name;
   }
   return NULL;
 }
@@ -38,9 +35,9 @@ static void print_choices(const char* choices) {
   }
 }
 
-static void print_row(const rc_option_spec* option) {
+static void print_row(const rc_component* option) {
   static const char* const types[] = {"", "integer", "real", "text"};
-  printf("| `%s` | %s | ", option->key, types[option->type]);
+  printf("| `%s` | %s | ", option->name, types[option->type]);
   if (option->default_value[0])
     printf("`%s` | ", option->default_value);
   else
@@ -51,40 +48,41 @@ static void print_row(const rc_option_spec* option) {
     print_choices(option->choices);
   else
     printf("any");
-  printf(" | %s%s |\n", option->help, option->fixed ? " (fixed)" : "");
+  printf(" | %s%s |\n", option->summary, option->fixed ? " (fixed)" : "");
 }
 
 /* One table for each component that has options; component NULL: the core's. */
 static void print_table(rc_context* context, const char* title, const char* component) {
   int64_t i, rows = 0;
-  for (i = 0; i < rc_options_count(context); ++i) {
-    rc_option_spec option = {sizeof option, NULL, NULL, NULL, NULL, 0, 0, 0, 0};
+  for (i = 0; i < rc_component_count(context, RC_COMPONENT_OPTION); ++i) {
+    rc_component option = RC_COMPONENT_INIT;
     const char* name;
-    if (rc_options_describe(context, i, &option) != RC_OK) continue;
-    name = owner(context, option.key, rc_solver_count, rc_solver_describe);
-    if (!name) name = owner(context, option.key, rc_backend_count, rc_backend_describe);
+    if (rc_component_describe(context, RC_COMPONENT_OPTION, i, &option) != RC_OK) continue;
+    name = owner(context, option.name, RC_COMPONENT_SOLVER);
+    if (!name) name = owner(context, option.name, RC_COMPONENT_BACKEND);
     if (component ? !name || strcmp(name, component) != 0 : name != NULL) continue;
     if (rows++ == 0) printf("\n%s\n\n| key | type | default | values | meaning |\n|---|---|---|---|---|\n", title);
     print_row(&option);
   }
 }
 
-static void print_tables(rc_context* context, const char* kind, count_fn count, describe_fn describe) {
+static void print_tables(rc_context* context, const char* heading, int32_t kind) {
   int64_t i;
-  for (i = 0; i < count(context); ++i) {
-    rc_component component = {sizeof component, NULL, NULL, NULL, NULL};
+  for (i = 0; i < rc_component_count(context, kind); ++i) {
+    rc_component component = RC_COMPONENT_INIT;
     char title[128];
-    if (describe(context, i, &component) != RC_OK) continue;
-    snprintf(title, sizeof title, "## %s `%s`", kind, component.name);
+    if (rc_component_describe(context, kind, i, &component) != RC_OK) continue;
+    snprintf(title, sizeof title, "## %s `%s`", heading, component.name);
     print_table(context, title, component.name);
   }
 }
 
 static int has_backend(rc_context* context, const char* name) {
   int64_t i;
-  for (i = 0; i < rc_backend_count(context); ++i) {
-    rc_component component = {sizeof component, NULL, NULL, NULL, NULL};
-    if (rc_backend_describe(context, i, &component) == RC_OK && strcmp(component.name, name) == 0) return 1;
+  for (i = 0; i < rc_component_count(context, RC_COMPONENT_BACKEND); ++i) {
+    rc_component component = RC_COMPONENT_INIT;
+    if (rc_component_describe(context, RC_COMPONENT_BACKEND, i, &component) == RC_OK && strcmp(component.name, name) == 0)
+      return 1;
   }
   return 0;
 }
@@ -103,8 +101,8 @@ int main(void) {
     return 77;
   }
   print_table(context, "## Core", NULL);
-  print_tables(context, "Solver", rc_solver_count, rc_solver_describe);
-  print_tables(context, "Backend", rc_backend_count, rc_backend_describe);
+  print_tables(context, "Solver", RC_COMPONENT_SOLVER);
+  print_tables(context, "Backend", RC_COMPONENT_BACKEND);
   rc_context_destroy(context);
   return 0;
 }

@@ -55,12 +55,12 @@ contains
     type(rc_gradient) :: gradient
     type(rc_tangent) :: tangent
     type(c_ptr) :: options, copy
-    integer(c_int64_t) :: level
+    real(c_double) :: level
     real(c_double) :: by_gap(nx, ny), dp(nx, ny), conductance, lower, upper, punch
     real(c_double), parameter :: step = 1e-6_c_double
     call rcf_options_create(options)
-    call rcf_options_set_real(options, 'tol', 1e-12_c_double)
-    call rcf_options_set_int(options, 'stiffness', 2)
+    call rcf_options_set(options, 'tol', 1e-12_c_double)
+    call rcf_options_set(options, 'stiffness', 2)
     call rcf_contact_create(contact, system, options)
     call rcf_contact_gradient(contact, by_gap, stat=stat, errmsg=message)
     call check('no gradient before a step', stat == RC_ERR_ARGUMENT .and. index(message, 'only a certified step') > 0)
@@ -86,9 +86,9 @@ contains
     call rcf_conductance(system, high, -1.0_c_double, 3.0_c_double, conductance, stat=stat)
     call check('a negative resistivity', stat == RC_ERR_ARGUMENT)
     call rcf_options_copy(options, copy)
-    call rcf_options_set_int(options, 'stiffness', 0)
-    call rcf_options_get_int(copy, 'stiffness', level)
-    call check('a copy of options keeps its values', level == 2)
+    call rcf_options_set(options, 'stiffness', 0)
+    call rcf_options_get(copy, 'stiffness', level)
+    call check('a copy of options keeps its values', level == 2.0_c_double)
     call rcf_contact_solve(contact, approach=0.4_c_double, p=p, result=high)
     call rcf_punch_stiffness(system, punch, p > 0, lower, upper, copy)
     call check('a punch on the contact set', abs(punch / high%stiffness - 1) < 1e-8 .and. lower <= punch .and. punch <= upper)
@@ -143,13 +143,13 @@ contains
     real(c_double) :: tol
     character(:), allocatable :: text
     call rcf_options_create(options)
-    call rcf_options_set_text(options, RC_OPT_SOLVER, 'nnls')
-    call rcf_options_set_int(options, RC_OPT_STIFFNESS, 1)
-    call rcf_options_parse(options, RC_OPT_TOL, '1e-10')
-    call rcf_options_get_real(options, RC_OPT_TOL, tol)
-    call rcf_options_get_text(options, RC_OPT_SOLVER, text)
+    call rcf_options_set(options, RC_OPT_SOLVER, 'nnls')
+    call rcf_options_set(options, RC_OPT_STIFFNESS, 1)
+    call rcf_options_set(options, RC_OPT_TOL, '1e-10')
+    call rcf_options_get(options, RC_OPT_TOL, tol)
+    call rcf_options_get(options, RC_OPT_SOLVER, text)
     call check('options come back', tol == 1e-10_c_double .and. text == 'nnls')
-    call rcf_options_set_real(options, 'tolerance', 1.0_c_double, stat, message)
+    call rcf_options_set(options, 'tolerance', 1.0_c_double, stat, message)
     call check('unknown option: '//trim(message), stat == RC_ERR_OPTION .and. index(message, 'tol') > 0)
 
     call rcf_contact_create(contact, rc_system(boundary=RC_BOUNDARY_FREE, nx=nx, ny=ny, hx=-1.0_c_double), stat=stat)
@@ -170,7 +170,7 @@ contains
     p = p * 1.01_c_double
     call rcf_contact_certify(contact, p, approach=0.4_c_double, stat=stat)
     call check('others are not', stat == RC_UNCERTIFIED)
-    call rcf_options_set_text(options, RC_OPT_SOLVER, 'cmr')
+    call rcf_options_set(options, RC_OPT_SOLVER, 'cmr')
     call rcf_contact_set_options(contact, options)
     call rcf_contact_reset(contact)
     call rcf_contact_solve(contact, approach=0.4_c_double, stat=stat)
@@ -235,7 +235,7 @@ contains
     real(c_double) :: pressures(nx, ny, steps)
     integer :: cut, k
     call rcf_options_create(options)
-    call rcf_options_set_int(options, RC_OPT_RESUMABLE, 1)
+    call rcf_options_set(options, RC_OPT_RESUMABLE, 1)
     call rcf_contact_create(contact, system, options)
     call rcf_contact_restore(contact, gap, p, 0.1_c_double, 1.0_c_double, p_before=p, stat=stat, errmsg=message)
     call check('all of the step before or nothing: '//trim(message), stat == RC_ERR_ARGUMENT .and. index(message, 'or none') > 0)
@@ -276,7 +276,7 @@ contains
     call rcf_solve(system, gap, approach=0.4_c_double, p=p)
     soft%hardness = 0.5 * maxval(p)
     call rcf_options_create(options)
-    call rcf_options_set_int(options, RC_OPT_RESUMABLE, 1)
+    call rcf_options_set(options, RC_OPT_RESUMABLE, 1)
     call rcf_contact_create(contact, soft, options)
     call rcf_contact_solve(contact, approach=0.4_c_double, undeformed_gap=gap, p=p_first, result=first)
     call check('at the hardness', maxval(p_first) == soft%hardness .and. first%capped == count(p_first == soft%hardness))

@@ -18,33 +18,34 @@ contains
   subroutine listings()
     type(rc_system) :: system
     type(rc_component) :: component
-    type(rc_option_spec) :: spec
     type(c_ptr) :: context
     real(c_double) :: influence(3, 2)
     integer :: k
     logical :: found
     call check('a version: '//rcf_version(), index(rcf_version(), '.') > 0)
     found = .false.
-    do k = 1, int(rc_backend_count(c_null_ptr))
-      call rcf_backend_describe(k, component)
+    do k = 1, int(rc_component_count(c_null_ptr, RC_COMPONENT_BACKEND))
+      call rcf_component_describe(RC_COMPONENT_BACKEND, k, component)
       found = found .or. rc_from_c(component%name) == 'dense'
     end do
     call check('backend dense', found)
-    call rcf_solver_describe(1, component)
+    call rcf_component_describe(RC_COMPONENT_SOLVER, 1, component)
     call check('a solver', len(rc_from_c(component%summary)) > 0)
-    call rcf_kernel_describe(int(rc_kernel_count(c_null_ptr)) + 1, component, stat=stat)
+    k = int(rc_component_count(c_null_ptr, RC_COMPONENT_KERNEL))
+    call rcf_component_describe(RC_COMPONENT_KERNEL, k + 1, component, stat=stat)
     call check('no kernel after the last', stat == RC_ERR_ARGUMENT)
-    call rcf_options_describe(1, spec)
-    call check('an option', len(rc_from_c(spec%key)) > 0)
+    call rcf_component_describe(RC_COMPONENT_OPTION, 1, component)
+    call check('an option', rc_from_c(component%name) == RC_OPT_SOLVER .and. len(rc_from_c(component%default_value)) > 0)
     system = rc_system(boundary=RC_BOUNDARY_FREE, nx=4, ny=4, hx=1.0_c_double, hy=1.0_c_double, modulus=1.0_c_double)
     call check('a pair', rcf_pair_supported('nnls', 'dense', system, RC_CONTROL_LOAD))
     call check('no pair', .not. rcf_pair_supported('nnls', 'absent', system, RC_CONTROL_LOAD, errmsg=message) &
       .and. index(message, 'absent') > 0)
     call rcf_context_create(context, plugins=.false., environment=.false.)
-    call check('no plugins', rc_backend_count(context) <= rc_backend_count(c_null_ptr))
+    k = int(rc_component_count(c_null_ptr, RC_COMPONENT_BACKEND))
+    call check('no plugins', rc_component_count(context, RC_COMPONENT_BACKEND) <= k)
     call rcf_context_destroy(context)
     call rcf_context_create(context, plugin_path='/nowhere', environment=.false.)
-    call check('a plugin path', rc_backend_count(context) > 0)
+    call check('a plugin path', rc_component_count(context, RC_COMPONENT_BACKEND) > 0)
     call rcf_context_destroy(context)
     call rcf_kernel_coefficients('love', 1.0_c_double, 1.0_c_double, influence)
     call check('coefficients', influence(1, 1) > influence(2, 1) .and. abs(influence(2, 1) - influence(1, 2)) < 1e-12)

@@ -45,8 +45,8 @@ double direct_load(const std::vector<double>& heights, double displacement) {
   step.undeformed_gap.data = gap.data();
   rc_options* options = nullptr;
   assert_int_equal(rc_options_create(nullptr, &options), RC_OK);
-  assert_int_equal(rc_options_set_real(options, RC_OPT_TOL, 1e-10), RC_OK);
-  assert_int_equal(rc_options_set_int(options, RC_OPT_STIFFNESS, 1), RC_OK);
+  assert_int_equal(rc_options_set_number(options, RC_OPT_TOL, 1e-10), RC_OK);
+  assert_int_equal(rc_options_set_number(options, RC_OPT_STIFFNESS, 1), RC_OK);
   rc_result result = RC_RESULT_INIT;
   assert_int_equal(rc_solve(&system, &step, options, &result), RC_OK);
   rc_options_destroy(options);

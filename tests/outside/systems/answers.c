@@ -56,8 +56,8 @@ static void solve(const rc_system* system, const char* solver, const char* backe
   rc_options_create(NULL, &options);
   rc_options_set_text(options, RC_OPT_SOLVER, solver);
   rc_options_set_text(options, RC_OPT_BACKEND, backend);
-  rc_options_set_real(options, RC_OPT_TOL, 1e-12);
-  rc_options_set_int(options, RC_OPT_MAX_ITER, 20000);
+  rc_options_set_number(options, RC_OPT_TOL, 1e-12);
+  rc_options_set_number(options, RC_OPT_MAX_ITER, 20000);
   const rc_status status = rc_solve(system, &step, options, &result);
   rc_options_destroy(options);
   fprintf(out, "case %lld x %lld, boundary %d, control %d, hardness %g: %s on %s\n", (long long)system->nx, (long long)system->ny,
@@ -155,15 +155,15 @@ static void make_mistakes(void) {
   static const char* const pairs[][2] = {{"tol", "2,5"},     {"tol", "1e-400"},          {"tol", " 1"},
                                          {"threads", "0"},   {"threads", "99999999999"}, {"max_iter", "9223372036854775808"},
                                          {"tolerance", "1"}, {"time_limit", "nan"}};
-  for (size_t i = 0; i < sizeof pairs / sizeof *pairs; ++i) outcome(rc_options_parse(options, pairs[i][0], pairs[i][1]));
+  for (size_t i = 0; i < sizeof pairs / sizeof *pairs; ++i) outcome(rc_options_set_text(options, pairs[i][0], pairs[i][1]));
   rc_options_destroy(options);
 }
 
 static int has_backend(const char* name) {
-  for (int64_t i = 0; i < rc_backend_count(NULL); ++i) {
+  for (int64_t i = 0; i < rc_component_count(NULL, RC_COMPONENT_BACKEND); ++i) {
     rc_component backend = {0};
     backend.struct_size = sizeof backend;
-    if (rc_backend_describe(NULL, i, &backend) == RC_OK && strcmp(backend.name, name) == 0) return 1;
+    if (rc_component_describe(NULL, RC_COMPONENT_BACKEND, i, &backend) == RC_OK && strcmp(backend.name, name) == 0) return 1;
   }
   return 0;
 }

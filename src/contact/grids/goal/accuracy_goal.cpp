@@ -172,8 +172,7 @@ Numbers AccuracyGoal::stopped(const GridProblem& given, const Step& step, const 
   if (step.target.by_load()) numbers.certificate.control = load_imbalance(numbers.load(given.system), step.target.value);
   numbers.work = {};
   add_work(monitor, numbers.work);
-  numbers.accuracy = {
-      sizeof(rc_accuracy), coarse.nx, coarse.ny, nan, nan, left_out(p, blocks, given.surface, contact.problem().surface.gap())};
+  numbers.accuracy = {coarse.nx, coarse.ny, nan, nan, left_out(p, blocks, given.surface, contact.problem().surface.gap())};
   numbers.status = found.status;
   set_message(join(rc_status_text(found.status), ": the answer is that of ", coarse.nx, "x", coarse.ny, " of ", fine.nx, "x",
                    fine.ny, " points")

@@ -133,11 +133,7 @@ std::optional<Numbers> AccuracyGoal::look(GridContact& given, const Step& step, 
   numbers.status = RC_WITHIN_GOAL;
   numbers.work = work_of(problem, monitor);
   add_work(monitor, numbers.work);
-  numbers.accuracy = {sizeof(rc_accuracy),
-                      coarse.system.given.nx,
-                      coarse.system.given.ny,
-                      error,
-                      of_area,
+  numbers.accuracy = {coarse.system.given.nx, coarse.system.given.ny, error, of_area,
                       left_out(corrected.pressures, blocks, surface, coarse.surface.gap())};
   set_message(join(rc_status_text(RC_WITHIN_GOAL), ": accuracy ", problem.goal.error, ", estimated error of the ",
                    problem.goal.of_area ? "area " : "load ", error, " from ", coarse.system.given.nx, "x", coarse.system.given.ny,

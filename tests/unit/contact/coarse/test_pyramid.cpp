@@ -67,7 +67,7 @@ class Listing {
     assert_int_equal(rc_options_create(context, &options), RC_OK);
     context_.reset(context);
     options_.reset(options);
-    assert_int_equal(rc_options_set_int(options, RC_OPT_THREADS, 1), RC_OK);
+    assert_int_equal(rc_options_set_number(options, RC_OPT_THREADS, 1), RC_OK);
     haar = options->context->solver("haar-cg");
     transforms = options->context->backend("fft");
     solvers_[0] = renamed(haar, "listing", solve_and_list, score_of_listing);

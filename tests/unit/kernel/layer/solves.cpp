@@ -84,7 +84,7 @@ class Context {
                   std::int32_t control = RC_CONTROL_APPROACH) const {
     rc_options* options = nullptr;
     assert_int_equal(rc_options_create(context_, &options), RC_OK);
-    for (const auto& [key, value] : settings) assert_int_equal(rc_options_parse(options, key, value.c_str()), RC_OK);
+    for (const auto& [key, value] : settings) assert_int_equal(rc_options_set_text(options, key, value.c_str()), RC_OK);
     rc_system system = support::unit_system();
     system.nx = system.ny = surface.side;
     system.hx = system.hy = surface.cell;
@@ -120,11 +120,11 @@ void every_pair_agrees(void**) {
       assert_int_equal(wanted.status, RC_OK);
       assert_true(wanted.load_lower <= wanted.load && wanted.load <= wanted.load_upper &&
                   wanted.load_upper < 1.0001 * wanted.load);
-      for (std::int64_t i = 0; i < rc_solver_count(context.get()); ++i)
+      for (std::int64_t i = 0; i < rc_component_count(context.get(), RC_COMPONENT_SOLVER); ++i)
         for (const char* backend : {"dense", "fft", "cholmod"})
           for (const std::int32_t control : {RC_CONTROL_APPROACH, RC_CONTROL_LOAD}) {
             rc_component solver = RC_COMPONENT_INIT;
-            assert_int_equal(rc_solver_describe(context.get(), i, &solver), RC_OK);
+            assert_int_equal(rc_component_describe(context.get(), RC_COMPONENT_SOLVER, i, &solver), RC_OK);
             const bool by_load = control == RC_CONTROL_LOAD;
             const rc_result found = context.solve(
                 surface,
