@@ -6,7 +6,7 @@ namespace rc_cuda {
 
 namespace {
 
-// copy(device), after all that others told it to do, which may write the arrays or read them.
+// copy(device), after all earlier work on the device, whoever gave it: it may write the arrays or read them.
 template <class Copy> void with_device(const rc_host* host, const rc_options* options, const Copy& copy) {
   Borrowed engine(host, Settings(host, options));
   engine->device().wait_for_all();

@@ -1,4 +1,4 @@
-// Structs that grow: converts between an older or newer caller's struct and today's.
+// Structs that grow: converts between an older or newer caller's struct and the library's.
 #pragma once
 
 #include <roughcontact/analysis.h>

@@ -12,7 +12,7 @@ rc_status Company::agreed(rc_status mine) const {
     if (mine != RC_STOP_MAX_ITER) ranks->ask_stop(mine);
     return ranks->stop() != RC_OK ? ranks->stop() : mine == RC_STOP_MAX_ITER ? mine : RC_OK;
   }
-  const Ranks* const ranks = alike_.ranks();
+  const Ranks* const ranks = replicated_.ranks();
   if (!ranks) return mine;
   ++ranks->counts().iterations;
   const std::vector<rc_status> all = ranks->of_each(mine);

@@ -1,6 +1,6 @@
 // With whom a process solves a contact. Alone it has every point of the grid. By rows it has the points of its share, all of them
-// are unknowns, and all ranks call the same functions. Alike each has every point and does what the others do; they agree on
-// stops. If a process is alone, each function is the plain action.
+// are unknowns, and all ranks call the same functions. Replicated: each has every point and does what the others do; they agree
+// on stops. If a process is alone, each function is the plain action.
 #pragma once
 
 #include <memory>
@@ -16,9 +16,9 @@ class Company {
   Company() = default;
   explicit Company(Rows rows) : rows_(std::move(rows)) {}
   // The ranks that share rows, each working on all points.
-  Company made_alike() const {
+  Company replicated() const {
     Company company;
-    company.alike_ = rows_;
+    company.replicated_ = rows_;
     return company;
   }
   // Processes that do the same by themselves, without a word to each other.
@@ -30,9 +30,9 @@ class Company {
 
   const Rows& rows() const { return rows_; }
   // A component that fails here may work on another rank: "auto" continues without it only if no other rank must do the same.
-  bool may_pass_over() const { return !rows_.shared() && !alike_.shared() && !repeated_; }
+  bool may_pass_over() const { return !rows_.shared() && !replicated_.shared() && !repeated_; }
   // Clocks of several ranks differ: they stop together, between iterations.
-  bool stops_between_products() const { return !alike_.shared(); }
+  bool stops_between_products() const { return !replicated_.shared(); }
 
   // At the begin of a step.
   void forget_stop() const {
@@ -47,7 +47,7 @@ class Company {
   }
 
  private:
-  Rows rows_, alike_;
+  Rows rows_, replicated_;
   bool repeated_ = false;
 };
 

@@ -1,4 +1,5 @@
-// Sizes of public structs in release 0.1.0: a caller's struct may be larger or smaller than today's, but not smaller than that.
+// Sizes of public structs in release 0.1.0: a caller's struct may be larger or smaller than the library's, but not smaller than
+// that.
 #pragma once
 
 #include <cstddef>

@@ -24,7 +24,7 @@ template <class Library> bool stop_asked() {
 
 struct ContactLibrary;
 
-// While it lives, the flag ends nothing: for work that several ranks repeat, each by itself, and must end alike.
+// While it lives, the flag ends nothing: for work that several ranks repeat, each by itself, and must all complete.
 class FlagIgnored {
  public:
   FlagIgnored() : before_(std::exchange(stop_flag<ContactLibrary>, nullptr)) {}

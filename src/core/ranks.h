@@ -78,7 +78,7 @@ class Ranks {
         });
   }
 
-  // Runs an action that all ranks do alike, each with exchanges in it. If one fails, wherever that is, the others learn of it
+  // Runs an action that all ranks perform, with the same exchanges in it. If one fails, wherever that is, the others learn of it
   // before their next exchange, or at the end: all throw the same Error, and exchange nothing more.
   template <class Action> void together(const Action& action) const {
     if (link_->together) return action();
@@ -155,8 +155,8 @@ class Ranks {
     return std::any_of(all.begin(), all.end(), [](char each) { return each != 0; });
   }
 
-  // Unchecked ones: the next checked one reports a failure of theirs. While all do alike, those of `gather` and `shift` begin
-  // as checked ones do; before a transposition, and what goes with it, call watch().
+  // Unchecked ones: the next checked one reports a failure of theirs. While all perform one action, those of `gather` and `shift`
+  // begin as checked ones do; before a transposition, and what goes with it, call watch().
   void watch() const {
     if (link_->together) exchange_statuses();
   }
@@ -195,7 +195,7 @@ class Ranks {
     rc_ranks_counts counts = RC_RANKS_COUNTS_INIT;
     rc_status failed = RC_OK, asked_stop = RC_OK, stop = RC_OK;
     char message[400] = "";
-    // While all do alike: each exchange begins with one of statuses alone, which a rank that has failed joins instead.
+    // While all perform one action: each exchange begins with one of statuses alone, which a rank that has failed joins instead.
     bool together = false;
     rc_status agreed = RC_OK;  // the failure that all ranks know
     char agreed_message[420] = "";

@@ -13,7 +13,7 @@ struct HaarBlocks {
   std::uint16_t m[6][8];
 };
 
-// The same for the finest level, for the 16 patterns of children in contact: all cells are alike, so nothing else matters.
+// The same for the finest level, for the 16 patterns of children in contact: all cells are equal, so nothing else matters.
 struct HaarPatterns {
   float w[4][16], m[6][16];
   float above[16];  // self coupling of the parent

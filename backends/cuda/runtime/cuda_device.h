@@ -200,7 +200,7 @@ class Device {
   void download(void* to, const void* from, std::size_t bytes);
   void clear(void* memory, std::size_t bytes) { checked(cudaMemsetAsync(memory, 0, bytes, stream_), "cudaMemsetAsync"); }
   void wait() { checked(cudaStreamSynchronize(stream_), "cudaStreamSynchronize"); }
-  // For all that anybody told the device to do.
+  // Waits for all work on the device, whoever gave it.
   void wait_for_all() { checked(cudaDeviceSynchronize(), "cudaDeviceSynchronize"); }
   // Where kernels find what a caller has there. Fails where that is not in this device's memory.
   const void* found(const void* callers) const;

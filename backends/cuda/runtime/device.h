@@ -5,7 +5,7 @@
 // - Current(device): makes it the calling thread's until its end;
 // - allocate, release, free_bytes, upload, download, clear;
 // - found(address): where kernels find a caller's array on the device;
-// - wait_for_all(): waits for what anybody told the device to do;
+// - wait_for_all(): waits for all work on the device, whoever gave it;
 // - each(n, f): f(i) for 0 <= i < n;
 // - reduce<Part>(n, f): the sum of f(i) by Part::add, in fixed pieces; waits;
 // - together(work): work(phase, i) for i < work.count(phase), one phase after the other, by one block of threads;

@@ -61,7 +61,7 @@ template <class R> class SmallContact {
 
   // All contacts that no other block takes.
   constexpr void work() {
-    for (Index i = 0; (i = block_.take(c_.next)) < c_.contacts;) follow(i);
+    for (Index i = 0; (i = block_.take(c_.next)) < c_.contacts;) solve_history(i);
   }
 
  private:
@@ -82,7 +82,7 @@ template <class R> class SmallContact {
   static constexpr double infinite = std::numeric_limits<double>::infinity();
 
   // An answer that is not solved ends the history.
-  RC_CALLED constexpr void follow(Index i) {
+  RC_CALLED constexpr void solve_history(Index i) {
     const Heights found = block_.template reduce<Heights>(
         n_, TakeGap{c_.gaps + i * c_.gap_stride, c_.masks ? c_.masks + i * c_.mask_stride : nullptr, gap_, m_.state});
     see(found);

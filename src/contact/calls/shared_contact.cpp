@@ -32,7 +32,7 @@ const rc_system& checked(const rc_system& system, const rc_options& options) {
   if (system.op != RC_OPERATOR_HALFSPACE)
     fail(RC_ERR_INCOMPATIBLE, "ranks share half-space grids alone, not a caller's matrix or product");
   check_grid(system);
-  if (!solved_alike(system)) check_options(options);
+  if (!each_solves_all(system)) check_options(options);
   return system;
 }
 
@@ -74,11 +74,11 @@ void stop_all(rc_status status, const char* message) {
 
 }  // namespace
 
-bool solved_alike(const rc_system& system) { return std::min(system.nx, system.ny) < least_shared_side; }
+bool each_solves_all(const rc_system& system) { return std::min(system.nx, system.ny) < least_shared_side; }
 
 SharedContact::SharedContact(const Ranks& ranks, const rc_system& system, const rc_options& options)
-    : ranks_(ranks.on(checked(system, options).ny, !solved_alike(system))), alike_(solved_alike(system)) {
-  contact_ = std::make_unique<Contact>(system, options, alike_ ? Company::repeated() : Company(Rows(ranks_)));
+    : ranks_(ranks.on(checked(system, options).ny, !each_solves_all(system))), each_solves_all_(each_solves_all(system)) {
+  contact_ = std::make_unique<Contact>(system, options, each_solves_all_ ? Company::repeated() : Company(Rows(ranks_)));
 }
 
 rc_const_array SharedContact::gathered(const rc_const_array& mine, std::size_t native, std::vector<std::byte>& all) const {
@@ -93,7 +93,7 @@ Numbers SharedContact::run_here(const rc_step& step, const Outputs& outputs, boo
   return judged ? contact_->certify(step, outputs) : contact_->solve(step, outputs);
 }
 
-Numbers SharedContact::run_alike(const rc_step& step, const Outputs& outputs, bool judged) {
+Numbers SharedContact::run_whole(const rc_step& step, const Outputs& outputs, bool judged) {
   std::vector<std::byte> gap, mask, p0, p, deformed;
   rc_step whole = step;
   whole.borrow = 0;
@@ -138,7 +138,7 @@ Numbers SharedContact::run(const rc_step& step, const Outputs& outputs, bool jud
   rc_step asked = step;
   Outputs to = outputs;
   if (ranks_.rows() == 0) stand_in_for(given, asked, to);
-  return alike_ ? run_alike(asked, to, judged) : run_here(asked, to, judged);
+  return each_solves_all_ ? run_whole(asked, to, judged) : run_here(asked, to, judged);
 }
 
 rc_status SharedContact::run(const rc_history& path, std::int64_t& completed) {
@@ -163,7 +163,7 @@ rc_status SharedContact::run(const rc_history& path, std::int64_t& completed) {
     inner.fn = [](std::int64_t step, const rc_result* result, void* user) -> std::int32_t {
       CallersFunction& of = *static_cast<CallersFunction*>(user);
       rc_result rows = *result;
-      if (of.self.alike_) {
+      if (of.self.each_solves_all_) {
         const std::int64_t before = of.self.ranks_.first_row() * of.self.columns();
         rows.p.data = static_cast<double*>(rows.p.data) + before;
         if (rows.gap.data) rows.gap.data = static_cast<double*>(rows.gap.data) + before;
@@ -173,12 +173,12 @@ rc_status SharedContact::run(const rc_history& path, std::int64_t& completed) {
     };
   }
   std::vector<std::byte> gap, mask;
-  if (alike_) {
+  if (each_solves_all_) {
     inner.undeformed_gap = gathered(inner.undeformed_gap, sizeof(double), gap);
     inner.mask = gathered(inner.mask, sizeof(std::uint8_t), mask);
   }
   const rc_status status = rc::solve_history(*contact_, inner, wants, completed);
-  if (alike_ && !callers.ended) stop_all(status, last_message());
+  if (each_solves_all_ && !callers.ended) stop_all(status, last_message());
   return status;
 }
 

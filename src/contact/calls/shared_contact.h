@@ -1,4 +1,4 @@
-// A contact that ranks share by rows. On small grids every rank solves all of it alike; on others a Contact works on the rows.
+// A contact that ranks share by rows. On small grids every rank solves all of it; on others a Contact works on the rows.
 #pragma once
 
 #include <roughcontact/ranks.h>
@@ -19,7 +19,7 @@ class SharedContact {
   }
 
  public:
-  // All ranks make one at the same time, alike, with a system and options that they agree on.
+  // All ranks make one at the same time, with a system and options that they agree on.
   SharedContact(const Ranks& ranks, const rc_system& system, const rc_options& options);
 
   const Ranks& ranks() const { return ranks_; }
@@ -41,17 +41,17 @@ class SharedContact {
   // judged: the pressures are given.
   Numbers run(const rc_step& step, const Outputs& outputs, bool judged);
   rc_status run(const rc_history& path, std::int64_t& completed);
-  Numbers run_alike(const rc_step& step, const Outputs& outputs, bool judged);
+  Numbers run_whole(const rc_step& step, const Outputs& outputs, bool judged);
   Numbers run_here(const rc_step& step, const Outputs& outputs, bool judged);
   // The rows of all ranks, in `all`. native: bytes of a value of RC_NATIVE.
   rc_const_array gathered(const rc_const_array& mine, std::size_t native, std::vector<std::byte>& all) const;
 
   Ranks ranks_;
-  bool alike_;
+  bool each_solves_all_;
   std::unique_ptr<Contact> contact_;
 };
 
 // Whether every rank solves all of such a system.
-bool solved_alike(const rc_system& system);
+bool each_solves_all(const rc_system& system);
 
 }  // namespace rc

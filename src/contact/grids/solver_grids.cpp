@@ -15,7 +15,7 @@ SolverGrids::~SolverGrids() = default;
 namespace {
 
 constexpr std::int32_t keep_answer = 1;                        // rc_coarse.keep; 2: what was set up alone
-constexpr std::int64_t most_gathered = std::int64_t{1} << 16;  // points of a grid that every process solves alike
+constexpr std::int64_t most_gathered = std::int64_t{1} << 16;  // points of a grid that every process solves
 
 rc_step coarse_step(const rc_coarse& request, std::int32_t warm, const double* gap, const std::uint8_t* mask) {
   rc_step step = RC_STEP_INIT;
@@ -73,19 +73,20 @@ rc_status SolverGrids::solve(rc_coarse& request, const GridProblem& problem, con
   return status;
 }
 
-// A small grid is solved by every process alike, all others by all of them together.
+// A small grid is solved by every process, all others by all of them together.
 rc_status SolverGrids::solve_shared(rc_coarse& request, const GridProblem& problem, bool warm, const rc_system& system,
                                     rc_options options) {
   const Rows& rows = problem.rows();
   Level& level = levels_[system.nx * system.ny];
   const Rows half = rows.halved();
-  const bool alike = system.nx * system.ny <= most_gathered || half.ranks()->halvings() < 1;
-  if (alike) options.set(RC_OPT_TIME_LIMIT, 0.0);  // a clock that stops one process stops all, between iterations
+  const bool each_solves = system.nx * system.ny <= most_gathered || half.ranks()->halvings() < 1;
+  if (each_solves) options.set(RC_OPT_TIME_LIMIT, 0.0);  // a clock that stops one process stops all, between iterations
   rows.on_all([&] {
-    level.contact = std::make_unique<GridContact>(system, options, &problem.team(), alike ? Company::repeated() : Company(half));
+    level.contact =
+        std::make_unique<GridContact>(system, options, &problem.team(), each_solves ? Company::repeated() : Company(half));
   });
   Numbers found;
-  if (!alike) {
+  if (!each_solves) {
     found = solved(*level.contact, coarse_step(request, warm, request.undeformed_gap, request.mask), {{request.p}, {}});
   } else {
     const auto points = static_cast<std::size_t>(system.nx * system.ny);

@@ -87,7 +87,7 @@ std::optional<Finished> sparse_by_rows(const GridProblem& problem, const Target&
   std::optional<Finished> finished;
   std::unique_ptr<GridProblem> all;
   rows.ranks()->together([&] {
-    all = std::make_unique<GridProblem>(system, problem.options, &problem.team(), problem.company().made_alike());
+    all = std::make_unique<GridProblem>(system, problem.options, &problem.team(), problem.company().replicated());
     all->facts.tilt = tilt;
     if (problem.system.periodic()) all->operators().multiply_by(problem.operators());
     all->surface = StepSurface(problem.surface, problem.team());

@@ -1,5 +1,5 @@
 // Sparse contact of processes that share the grid by rows: each has the gap of its rows and screens them; the tiles where the
-// contact is are gathered, and every process solves there alike what a single one would. With periodic boundaries they make each
+// contact is are gathered, and every process solves there what a single one would. With periodic boundaries they make each
 // product together.
 #pragma once
 

@@ -21,7 +21,7 @@ constexpr double halo = 0.02;     // of the compression: tiles, or points, with 
 constexpr double headroom = 0.1;  // of the compression: room for an approach above its estimate, in load control
 constexpr int most_tile_rounds = 8;             // of adding tiles
 constexpr std::int64_t compact = 16;            // boxes of at most 1/compact of the grid's points are solved whole, by transforms
-constexpr std::int64_t most_compact = 1 << 20;  // points of such a box that every process solves alike
+constexpr std::int64_t most_compact = 1 << 20;  // points of such a box that every process solves
 
 bool at_few(const Pressures& contact, const GridProblem& problem) {
   return are_few(contact.contacts(), problem.system.points(), problem.operators().multiply_by_rows());
