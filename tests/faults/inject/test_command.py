@@ -77,7 +77,9 @@ class Sweeps(CommandTest):
     def each_command(self):
         surface = self.npy(rough(32, 32))
         yield ["solve", surface, *HISTORY]
-        yield ["solve", surface, *HISTORY, "--boundary", "periodic", "--leak", "viscosity=1mPas,drop=1bar"]
+        leaking = ["solve", surface, *HISTORY, "--boundary", "periodic", "--leak", "viscosity=1mPas,drop=1bar"]
+        if "built without" not in self.run_command(*leaking).stderr:
+            yield leaking
         yield ["generate", "noise", "--size", "32", "--output", "a.npy"]
         yield ["generate", "spectral", "--size", "32", "--output", "a.gsf"]
         yield ["analyze", surface, "--pitch", "1e-6", "--json", "a.json"]

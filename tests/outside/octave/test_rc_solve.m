@@ -59,24 +59,26 @@ check ("hardness", max (p(:)) == soft.hardness && info.capped == nnz (p == soft.
 
 % flow through the gap, and the pressure at which it ends
 leaking = periodic; leaking.leak = "viscosity=1,drop=12";
-[~, along_x] = rc_solve (z, leaking);
-leaking.leak = "viscosity=1,drop=12,along=y";
-[~, along_y] = rc_solve (z, leaking);
-flows = [along_x.flow, along_y.flow];
-check ("leak", all ([flows.lower] <= [flows.flow]) && all ([flows.flow] <= [flows.upper]) && flows(1).lower > 0);
-check ("axes of the leak", flows(1).flow != flows(2).flow && flows(1).constriction_x >= 1);
-turned = periodic; turned.hx = opts.hy; turned.hy = opts.hx; turned.leak = leaking.leak;
-[~, info] = rc_solve (z', turned);
-check ("leak of the transposed", abs (info.flow.flow / flows(1).flow - 1) < 1e-3);
-closing = rmfield (periodic, "approach"); closing.closing_pressure = "x";
-[~, info] = rc_solve (z, closing);
-check ("closing pressure", info.flow.lower > 0 && info.flow.upper < 1.02 * info.flow.lower);
-by_pressure = rmfield (leaking, "approach"); by_pressure.leak = "viscosity=1,drop=12"; by_pressure.pressure = 1.01 * info.flow.upper;
-[~, info] = rc_solve (z, by_pressure);
-check ("no leak beyond it", info.flow.upper == 0);
-by_pressure.leak = "viscosity=1";
-e = refused (z, by_pressure);
-check ("a leak without a drop", ! isempty (strfind (e.message, "opts.leak: \"viscosity=1\" needs both")));
+if (isempty (strfind (refused (z, leaking).message, "-DRC_SOLVE_FLOW")))
+  [~, along_x] = rc_solve (z, leaking);
+  leaking.leak = "viscosity=1,drop=12,along=y";
+  [~, along_y] = rc_solve (z, leaking);
+  flows = [along_x.flow, along_y.flow];
+  check ("leak", all ([flows.lower] <= [flows.flow]) && all ([flows.flow] <= [flows.upper]) && flows(1).lower > 0);
+  check ("axes of the leak", flows(1).flow != flows(2).flow && flows(1).constriction_x >= 1);
+  turned = periodic; turned.hx = opts.hy; turned.hy = opts.hx; turned.leak = leaking.leak;
+  [~, info] = rc_solve (z', turned);
+  check ("leak of the transposed", abs (info.flow.flow / flows(1).flow - 1) < 1e-3);
+  closing = rmfield (periodic, "approach"); closing.closing_pressure = "x";
+  [~, info] = rc_solve (z, closing);
+  check ("closing pressure", info.flow.lower > 0 && info.flow.upper < 1.02 * info.flow.lower);
+  by_pressure = rmfield (leaking, "approach"); by_pressure.leak = "viscosity=1,drop=12"; by_pressure.pressure = 1.01 * info.flow.upper;
+  [~, info] = rc_solve (z, by_pressure);
+  check ("no leak beyond it", info.flow.upper == 0);
+  by_pressure.leak = "viscosity=1";
+  e = refused (z, by_pressure);
+  check ("a leak without a drop", ! isempty (strfind (e.message, "opts.leak: \"viscosity=1\" needs both")));
+endif
 
 masked = opts;
 masked.mask = z < 1.9;

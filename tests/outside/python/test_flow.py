@@ -10,6 +10,11 @@ from conftest import refused
 
 import roughcontact as rc
 
+try:
+    rc.raw.flow_library()
+except rc.LibraryNotFoundError as absent:
+    pytest.skip(str(absent), allow_module_level=True)
+
 FLUID = {"viscosity": 1 / 12, "pressure_drop": 1.0}  # the flow is then the conductance
 
 

@@ -256,7 +256,9 @@ def test_every_word_is_in_the_matrix_and_says_where_it_is_not():
 def test_a_word_of_flow_is_a_function_here(folder, command):
     if not command.exists():
         pytest.skip("this build has no command")
-    by_command(command, folder, {**given({}), "leak": "viscosity=2mPas,drop=3bar,along=y"})
+    said = by_command(command, folder, {**given({}), "leak": "viscosity=2mPas,drop=3bar,along=y"})
+    if "built without" in str(said):
+        pytest.skip(said)
     told = json.loads((folder / "out/summary.json").read_text())["steps"][0]
     words = {**given({}), "want_gap": True}
     result = rc.solve(str(folder / words.pop("surface")), **words)
