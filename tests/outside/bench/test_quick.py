@@ -51,3 +51,6 @@ assert len(small) == 6 and all(row['value'] > 0 for row in small if 'first' not 
 
 overhead = run('overhead', '--repeats', '5')['rows']
 assert [row['value'] > 0 for row in overhead[:2]] == [True, True], overhead
+
+leak = run('leak', '--quick')['leaks'][0]
+assert 'roughcontact-flow' in leak.get('error', '') or 0 < leak['width'] < 1e-2 and 15 < leak['contact_percent'] < 25, leak
