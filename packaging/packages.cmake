@@ -118,7 +118,7 @@ rc_package(libroughcontact-backend-cholmod COMPONENTS backend-cholmod SECTION li
     "CHOLMOD and is therefore under the GPL.")
 rc_package(roughcontact-tools COMPONENTS tools SECTION science NOTICES gsl cli11 json
   DEPENDS libroughcontact0 libroughcontact-surface0 ${flow} RECOMMENDS libroughcontact-backend-split gnuplot-nox
-  SUGGESTS libroughcontact-backend-cholmod
+  SUGGESTS libroughcontact-backend-cholmod python3-roughcontact
   SUMMARY "certified normal contact of rough surfaces - command"
   DESCRIPTION ${rc_about} "." "This package has the command roughcontact, which presses measured or generated"
     "surfaces, makes surfaces, and analyses them.")

@@ -37,7 +37,7 @@ check ("no pitch", info.hx == 0 && any (strfind (info.assumed, "the pitch is not
 e = refused ("absent.txt");
 check (e.message, strcmp (e.identifier, "roughcontact:RC_ERR_ARGUMENT") && any (strfind (e.message, "No such file")));
 e = refused (path, struct ("pich", 1));
-check (e.message, any (strfind (e.message, "opts.pich is not pitch, unit or format")));
+check (e.message, any (strfind (e.message, "opts.pich is not pitch, height_range, unit or format")));
 e = refused (path, struct ("pitch", "one"));
 check (e.message, any (strfind (e.message, "opts.pitch must be")));
 e = refused (path, struct ("unit", 1));

@@ -40,7 +40,7 @@ class Step(SimpleNamespace):
 
     @property
     def residual(self) -> float:
-        return max(self.kkt_primal, self.kkt_dual, self.kkt_complementarity, self.kkt_control)
+        return float(max(self.kkt_primal, self.kkt_dual, self.kkt_complementarity, self.kkt_control))
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,7 +1,7 @@
 """The figures of a report, made with Plotly. Each returns a figure of its module graph_objects."""
 
 import importlib
-from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
+from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -60,7 +60,7 @@ class Figures:
         figure.update_layout(**layout)
         return figure
 
-    def _curve(self, values: Sequence[float], unit: str, name: str, y_log: bool, others: Sequence[Any] = ()) -> Any:
+    def _curve(self, values: Union[Sequence[float], Doubles], unit: str, name: str, y_log: bool, others: Sequence[Any] = ()) -> Any:
         """Values of the steps against the load; on logarithmic axes where the loads spread."""
         y = np.array(values, float)
         y[~np.isfinite(y)] = np.nan
