@@ -66,10 +66,10 @@ struct Candidate {
   std::string obstacle;    // why it cannot be chosen; "" if it can
   bool too_large = false;  // the obstacle: bytes is more than this machine has
 
-  bool operator<(const Candidate& other) const { return rank() < other.rank(); }
+  bool operator<(const Candidate& other) const { return order() < other.order(); }
 
  private:
-  std::tuple<bool, bool, bool, double, std::string_view, std::string_view> rank() const {
+  std::tuple<bool, bool, bool, double, std::string_view, std::string_view> order() const {
     return {!obstacle.empty(), !scored, !repeats, seconds, backend->name, solver ? solver->name : ""};
   }
 };

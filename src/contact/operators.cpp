@@ -16,7 +16,7 @@ Operator& Operators::bound(const rc_backend& backend, const TrialSet& trial) {
   if (it == made_.end()) {
     auto made = rows_ ? std::make_unique<Operator>(rows_->bound(backend, {rows_->problem_.own_points(), {}}))
                       : std::make_unique<Operator>(backend, problem_.host, system.unit, system.kernel.name, problem_.options,
-                                                   problem_.team(), system.operator_scale, problem_.rows().ranks());
+                                                   problem_.team(), system.operator_scale, problem_.rows());
     it = made_.emplace(backend.name, std::move(made)).first;
   }
   it->second->bind(trial);

@@ -10,7 +10,7 @@
 #include <roughcontact/plugin.hpp>
 #include <vector>
 
-#include "core/ranks.h"
+#include "core/rows.h"
 
 namespace rc {
 
@@ -24,6 +24,7 @@ struct Chunks {
 
   // The chunks of a grid with nx points in a row.
   static Chunks of(const Ranks* ranks, std::int64_t nx) { return ranks ? Chunks{ranks->piece_rows() * nx, ranks} : Chunks{}; }
+  static Chunks of(const Rows& rows, std::int64_t nx) { return of(rows.ranks(), nx); }
   std::int64_t count(std::int64_t n) const { return (n + values - 1) / values; }
 };
 
@@ -58,7 +59,8 @@ Part reduce(std::int64_t n, const rc_team& team, const Body& body, Part total = 
 }
 
 // The sum of part(0 .. n-1), one for each piece of this process's rows, over all ranks in their order. It takes no memory.
-template <class Part, class Of> Part total(const Ranks* ranks, std::size_t n, const Of& part) {
+template <class Part, class Of> Part total(const Rows& rows, std::size_t n, const Of& part) {
+  const Ranks* const ranks = rows.ranks();
   Part sum{};
   for (std::size_t i = 0; i < n; ++i)
     if (ranks)

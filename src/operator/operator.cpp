@@ -8,14 +8,13 @@
 namespace rc {
 
 Operator::Operator(const rc_backend& backend, const rc_host& host, const rc_system& system, const std::string& kernel,
-                   const rc_options& options, const rc_team& team, double scale, const Ranks* ranks)
+                   const rc_options& options, const rc_team& team, double scale, const Rows& rows)
     : backend_(backend), system_(system), kernel_(kernel), scale_(scale) {
   const auto poll = [](const rc_operator_spec* spec) -> rc_status {
     const Operator& op = *static_cast<const Spec*>(spec)->op;
     return op.ask_ ? op.ask_() : RC_OK;
   };
-  if (ranks) shared_ = SharedRows(*ranks);
-  spec_ = {{sizeof(rc_operator_spec), &system_, kernel_.c_str(), &options, &team, poll, ranks ? &shared_ : nullptr}, this};
+  spec_ = {{sizeof(rc_operator_spec), &system_, kernel_.c_str(), &options, &team, poll, rows.seen(shared_)}, this};
   clear_message();
   check(backend_.create(&host, &spec_, &self_), "creating the operator");
 }

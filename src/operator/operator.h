@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/error.h"
-#include "core/ranks.h"
+#include "core/rows.h"
 #include "registry/context.h"
 
 namespace rc {
@@ -28,10 +28,10 @@ struct TrialSet {
 
 class Operator {
  public:
-  // `options`, `team`, `ranks` and the context's host must outlive it. The product is divided by `scale` [length per pressure].
-  // ranks: null, or those that share the grid by rows: vectors are then of every point of this rank's rows.
+  // `options`, `team`, `rows` and the context's host must outlive it. The product is divided by `scale` [length per pressure].
+  // Of shared rows, vectors are of every point of this rank's rows.
   Operator(const rc_backend& backend, const rc_host& host, const rc_system& system, const std::string& kernel,
-           const rc_options& options, const rc_team& team, double scale, const Ranks* ranks = nullptr);
+           const rc_options& options, const rc_team& team, double scale, const Rows& rows = {});
   // An operator for ranks that all have the same trial set and vectors; they make each product together. rows: bound to every
   // point of this rank's rows; it must outlive this one.
   explicit Operator(Operator& rows)

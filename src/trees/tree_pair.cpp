@@ -19,15 +19,15 @@ constexpr std::int64_t chunk = 8192;  // unknowns of a partial sum where not eve
 
 }  // namespace
 
-HaarTreePair::HaarTreePair(Cells cells, const CouplingTable& table, float finest, const Ranks* ranks)
-    : tree_{HaarTree(cells, table, false, finest, ranks), HaarTree(cells, table, true, finest, ranks)},
-      ranks_(ranks),
+HaarTreePair::HaarTreePair(Cells cells, const CouplingTable& table, float finest, const Rows& rows)
+    : tree_{HaarTree(cells, table, false, finest, rows.ranks()), HaarTree(cells, table, true, finest, rows.ranks())},
+      ranks_(rows.ranks()),
       cells_(std::move(cells)),
-      unknowns_(ranks           ? cells_.mx * ranks->rows()
+      unknowns_(ranks_          ? cells_.mx * ranks_->rows()
                 : cells_.full() ? cells_.mx * cells_.my
                                 : static_cast<std::int64_t>(cells_.x.size())),
       row_(tree_[0].full() ? static_cast<std::size_t>(tree_[0].columns()) : 0) {
-  if (!ranks) return;
+  if (!ranks_) return;
   std::int64_t values = 0;
   for (std::size_t rank = 0; rank < tree_[0].whole_values().size(); ++rank) {
     const std::int64_t count = tree_[0].whole_values()[rank] + tree_[1].whole_values()[rank];
@@ -35,7 +35,7 @@ HaarTreePair::HaarTreePair(Cells cells, const CouplingTable& table, float finest
     values += count;
   }
   joined_.resize(static_cast<std::size_t>(values));
-  given_.resize(static_cast<std::size_t>(joined_bytes_[static_cast<std::size_t>(ranks->rank())]) / sizeof(float));
+  given_.resize(static_cast<std::size_t>(joined_bytes_[static_cast<std::size_t>(ranks_->rank())]) / sizeof(float));
 }
 
 void HaarTreePair::place(std::byte* memory) {

@@ -3,6 +3,7 @@
 
 #include <roughcontact/plugin.h>
 
+#include "core/rows.h"
 #include "trees/tree.h"
 
 namespace rc {
@@ -22,7 +23,7 @@ class HaarTreePair {
  public:
   // finest: factor of the differences inside the finest blocks. ranks: null, or those that share the cells by rows, which must
   // outlive the trees; the vectors below are then of this rank's rows, and have room for a row before the first.
-  HaarTreePair(Cells cells, const CouplingTable& table, float finest = 1, const Ranks* ranks = nullptr);
+  HaarTreePair(Cells cells, const CouplingTable& table, float finest = 1, const Rows& rows = {});
 
   // The trees live in the caller's memory. After it has moved, or others have written to it, call set_up() again.
   std::size_t bytes() const { return tree_[0].bytes() + tree_[1].bytes(); }

@@ -55,7 +55,7 @@ void Level::halve_rows(const GridProblem& finer, const StepSurface& surface) {
   const Rows &own = surface.points().rows(), half = own.halved();
   cells_ = downsample(surface.points().nx(), own.own(0), surface.gap(), surface.mask(), Filter::mean);
   const std::int64_t ny = half.all(0);
-  if (cells_.nx * ny >= most_gathered && own.ranks()->halvings() > 1) {
+  if (cells_.nx * ny >= most_gathered && own.halvings() > 1) {
     rows_ = StepSurface({cells_.nx, cells_.ny, cells_.gap, cells_.mask, true}, finer.team(), half);
     if (finer.operators().multiply_by_rows()) {
       multiplies_ = std::make_unique<GridProblem>(problem_.system.given, problem_.options, &finer.team(), Company(half));

@@ -79,7 +79,7 @@ rc_status SolverGrids::solve_shared(rc_coarse& request, const GridProblem& probl
   const Rows& rows = problem.rows();
   Level& level = levels_[system.nx * system.ny];
   const Rows half = rows.halved();
-  const bool each_solves = system.nx * system.ny <= most_gathered || half.ranks()->halvings() < 1;
+  const bool each_solves = system.nx * system.ny <= most_gathered || half.halvings() < 1;
   if (each_solves) options.set(RC_OPT_TIME_LIMIT, 0.0);  // a clock that stops one process stops all, between iterations
   rows.on_all([&] {
     level.contact =
@@ -98,8 +98,8 @@ rc_status SolverGrids::solve_shared(rc_coarse& request, const GridProblem& probl
       p.resize(points);
       mask.resize(masked ? points : 0);
     });
-    half.ranks()->gather_rows(request.undeformed_gap, system.nx, gap.data());
-    if (masked) half.ranks()->gather_rows(request.mask, system.nx, mask.data());
+    half.gather(request.undeformed_gap, system.nx, gap.data());
+    if (masked) half.gather(request.mask, system.nx, mask.data());
     try {
       const FlagIgnored a_flag_that_stops_one_process_stops_all;
       found = solved(*level.contact, coarse_step(request, warm, gap.data(), masked ? mask.data() : nullptr), {{p.data()}, {}});

@@ -37,6 +37,18 @@ rc_status product_of(Operator& op, const float* x, float* y) { return op.apply_f
 // An odd number of cells, so that blocks are cut on every level.
 std::int64_t turn_of(std::int64_t n) { return static_cast<std::int64_t>(turned_by * static_cast<double>(n)) | 1; }
 
+// Residuals of an iteration over |b|, and what products in single precision may have added to them.
+struct Descent {
+  double last = 0, drifted = 0;
+
+  // rr: the square of the next residual; single: its product was in single precision.
+  double next(double rr, bool single) {
+    const double now = std::sqrt(rr);
+    if (single) drifted += single_error * (last + now);
+    return last = now;
+  }
+};
+
 }  // namespace
 
 // Periodic trees see no neighbours across the grid's sides: a second pair, whose sides lie elsewhere, does. Over few points it
@@ -57,7 +69,7 @@ ContactSetSolve::ContactSetSolve(Operator& op, std::span<const std::int64_t> set
     trees_.push_back(trees_at(inputs, 0, 0));
     pieces_ = {0, set_.size()};
     if (rows.shared()) {
-      const Chunks pieces = Chunks::of(rows.ranks(), grid.nx);
+      const Chunks pieces = Chunks::of(rows, grid.nx);
       const std::int64_t points = op.trial().n;
       pieces_ = {0};
       for (std::int64_t k = 1; k <= pieces.count(points); ++k)
@@ -99,7 +111,7 @@ ContactSetSolve::Trees ContactSetSolve::trees_at(const TreeInputs& inputs, std::
   }
   for (const std::size_t at : place) active[at] = 1;
   const std::vector<float> none(active.size());
-  Trees trees{HaarTreePair(std::move(cells), inputs.table, sharp, rows_.ranks()),
+  Trees trees{HaarTreePair(std::move(cells), inputs.table, sharp, rows_),
               std::move(place),
               std::move(active),
               none,
@@ -120,7 +132,7 @@ template <class... Terms> std::array<double, sizeof...(Terms)> ContactSetSolve::
       return result;
     }
   };
-  return total<Part>(rows_.ranks(), pieces_.size() - 1,
+  return total<Part>(rows_, pieces_.size() - 1,
                      [&](std::size_t k) {
                        const std::size_t begin = pieces_[k], count = pieces_[k + 1] - begin;
                        return Part{{sum_of(count, [&](std::size_t i) { return terms(begin + i); })...}};
@@ -238,13 +250,11 @@ rc_status ContactSetSolve::form(std::span<const double> b, double tol, double me
     return bound.settles(tol, mean);
   };
   for (double before = std::numeric_limits<double>::infinity();;) {
-    double last = 0, drifted = 0;
+    Descent residual;
     Stall stalls(smaller, steps_of_round_off);
     const auto enough = [&](int, double rr) {
-      const double now = std::sqrt(rr);
-      if (single) drifted += single_error * (last + now);
-      last = now;
-      return tell(size * now) || now < 2 * drifted || stalls(now);
+      const double now = residual.next(rr, single);
+      return tell(size * now) || now < 2 * residual.drifted || stalls(now);
     };
     const ConjugateGradientsEnd end = descend(x, r, z, size, single, enough);
     if (end.status != 0) return end.status;
@@ -279,12 +289,11 @@ rc_status ContactSetSolve::solve(std::span<const double> b, double tol, std::spa
   // All residuals are over |b|. Products in single precision are relative to what is left of it: the later, the less they add.
   const bool has_single = (op_.capabilities() & RC_CAP_FLOAT) != 0;
   bool single = false, stalled = false;
-  double last = 0, drifted = 0;
+  Descent residual;
+  const double& drifted = residual.drifted;
   Stall stalls(smaller, steps_of_round_off);
   const auto enough = [&](int, double rr) {
-    const double now = std::sqrt(rr);
-    if (single) drifted += single_error * (last + now);
-    last = now;
+    const double now = residual.next(rr, single);
     single = has_single && single_error * now <= drift * tol && drifted <= 10 * drift * tol;
     bound.residual = size * (now + drifted + rounding);
     if (now + drifted + rounding <= tol) return true;

@@ -203,9 +203,8 @@ void connect(BoundProblem& problem) {
   const std::uint64_t caps = run.op.capabilities();
   problem.struct_size = sizeof(rc_problem);
   problem.apply = apply;
-  const Ranks* const ranks = run.problem.rows().ranks();
-  const bool all_here = !ranks;
-  if (ranks) problem.rows = &(problem.shared = SharedRows(*ranks));
+  problem.rows = run.problem.rows().seen(problem.shared);
+  const bool all_here = !problem.rows;
   problem.subset = all_here && (run.fallbacks || (caps & RC_CAP_SUBSET)) ? subset : nullptr;
   problem.poll = poll;
   problem.lambda_min = run.problem.system.bounds.lambda_min;

@@ -23,7 +23,7 @@ bool all_have(const std::optional<Choice>& few, const GridProblem& problem) {
     std::snprintf(mine.solver, sizeof mine.solver, "%s", few->solver->name);
     std::snprintf(mine.backend, sizeof mine.backend, "%s", few->backend->name);
   }
-  const std::vector<Names> all = problem.rows().ranks()->of_each(mine);
+  const std::vector<Names> all = problem.rows().of_each(mine);
   return all.front().solver[0] != 0 && std::all_of(all.begin(), all.end(), [&](const Names& each) {
            return std::string(each.solver) == all.front().solver && std::string(each.backend) == all.front().backend;
          });
@@ -86,7 +86,7 @@ std::optional<Finished> sparse_by_rows(const GridProblem& problem, const Target&
 
   std::optional<Finished> finished;
   std::unique_ptr<GridProblem> all;
-  rows.ranks()->together([&] {
+  rows.together([&] {
     all = std::make_unique<GridProblem>(system, problem.options, &problem.team(), problem.company().replicated());
     all->facts.tilt = tilt;
     if (problem.system.periodic()) all->operators().multiply_by(problem.operators());

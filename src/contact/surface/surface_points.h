@@ -23,7 +23,7 @@ class SurfacePoints {
   std::int64_t count() const { return n_; }  // of this process
   const rc_team& team() const { return *team_; }
   const Rows& rows() const { return rows_; }
-  Chunks chunks() const { return Chunks::of(rows_.ranks(), nx_); }
+  Chunks chunks() const { return Chunks::of(rows_, nx_); }
   bool threaded() const { return n_ > 64 * 64; }  // with fewer points threads would cost more than they save
 
   // act(i) for i = 0 .. n-1, which share these points, by threads if that pays.
@@ -47,7 +47,7 @@ class SurfacePoints {
     const Chunks pieces = chunks();
     std::vector<Part> parts(static_cast<std::size_t>(pieces.count(n_)));
     for (std::size_t k = 0; k < n; ++k) add(parts[entry(k) / static_cast<std::size_t>(pieces.values)], entry(k));
-    return total<Part>(rows_.ranks(), parts.size(), [&](std::size_t i) { return parts[i]; });
+    return total<Part>(rows_, parts.size(), [&](std::size_t i) { return parts[i]; });
   }
   // The same for a list of points.
   template <class Part, class Add> Part sum_over(std::span<const std::size_t> entries, const Add& add) const {

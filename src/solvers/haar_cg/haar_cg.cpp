@@ -67,7 +67,7 @@ template <class Real, class Pressure> rc_status iterate(const Problem& problem, 
   const Ranks* const ranks = problem.ranks();
   std::unique_ptr<ThreadMachine<Real, Pressure>> machine;
   on_all(ranks, [&] {
-    HaarTreePair trees(std::move(inputs.cells), inputs.table, 1, ranks);
+    HaarTreePair trees(std::move(inputs.cells), inputs.table, 1, Rows::of(ranks));
     machine = std::make_unique<ThreadMachine<Real, Pressure>>(problem, p, std::move(trees), ranks, q);
   });
   // All its memory is there, so that it needs no more exchanges than its own.
