@@ -20,12 +20,10 @@ constexpr double acceptable = 1e-11;
 }  // namespace
 
 Operator::Operator(const rc_host* host, const rc_operator_spec& spec)
-    : host_(host),
+    : EntryOperator(host, spec, component, memory_limit_key),
       spec_(spec),
       system_(spec.system),
       radius_(roughcontact::option_real(host, spec.options, near_field_key)),
-      limit_(host, spec, component, memory_limit_key),
-      products_(host, spec, component),
       set_(session_) {}
 
 void Operator::forget_factors() {

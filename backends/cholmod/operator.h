@@ -7,8 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "common/memory_limit.h"
-#include "common/products.h"
+#include "common/entry_operator.h"
 #include "failure.h"
 #include "near_field.h"
 #include "working_set.h"
@@ -17,7 +16,7 @@ namespace rc_cholmod {
 
 inline constexpr const char *memory_limit_key = "cholmod.memory_limit", *near_field_key = "cholmod.near_field";
 
-class Operator {
+class Operator : public rc_common::EntryOperator {
  public:
   static constexpr roughcontact::Component component = rc_cholmod::component;
 
@@ -26,15 +25,11 @@ class Operator {
   static void score(const rc_facts& facts, rc_estimate& estimate) {
     rc_common::estimate_matrix(facts, estimate, component, memory_limit_key);
   }
-  const rc_host* host() const { return host_; }
-  std::int64_t modelled() const { return products_.size(); }
 
   void bind(const rc_domain&);
   void apply(const double* x, double* y);
-  void field(const double* x, double* y) { products_.field(x, y); }
   void subset(std::int64_t na, const std::int64_t* a, const double* b, double* x);
   void shifted(double rho, const double* b, double* x);
-  double norm() { return products_.norm(); }
 
  private:
   bool exact() const { return radius_ == 0.0; }
@@ -42,12 +37,9 @@ class Operator {
   void iterate(std::span<const rc_common::Point> points, double rho, const double* b, double* x);
   void forget_factors();
 
-  const rc_host* host_;
   const rc_operator_spec& spec_;
   const rc_system* system_;
-  double radius_;  // of the near field; 0: all entries are factored
-  rc_common::MemoryLimit limit_;
-  rc_common::Products products_;
+  double radius_;    // of the near field; 0: all entries are factored
   Session session_;  // before what was made with it
   WorkingSet set_;
   std::optional<Factor> shifted_;

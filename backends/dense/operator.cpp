@@ -15,11 +15,9 @@ constexpr double beside_a_triangle = 64.0 * 1048576.0;
 }  // namespace
 
 Operator::Operator(const rc_host* host, const rc_operator_spec& spec)
-    : host_(host),
+    : EntryOperator(host, spec, component, memory_limit_key),
       options_(spec.options),
-      grid_(spec.system->op == RC_OPERATOR_HALFSPACE),
-      limit_(host, spec, component, memory_limit_key),
-      products_(host, spec, component) {}
+      grid_(spec.system->op == RC_OPERATOR_HALFSPACE) {}
 
 // Bytes for matrix and factors together: one triangle of the domain's size, or what is always affordable if that is more.
 double Operator::budget() const {

@@ -5,8 +5,7 @@
 #include <cstdint>
 #include <roughcontact/plugin.hpp>
 
-#include "common/memory_limit.h"
-#include "common/products.h"
+#include "common/entry_operator.h"
 #include "failure.h"
 #include "updatable_cholesky.h"
 #include "working_set.h"
@@ -15,7 +14,7 @@ namespace rc_dense {
 
 inline constexpr const char* memory_limit_key = "dense.memory_limit";
 
-class Operator {
+class Operator : public rc_common::EntryOperator {
  public:
   static constexpr roughcontact::Component component = rc_dense::component;
 
@@ -24,15 +23,11 @@ class Operator {
   static void score(const rc_facts& facts, rc_estimate& estimate) {
     rc_common::estimate_matrix(facts, estimate, component, memory_limit_key);
   }
-  const rc_host* host() const { return host_; }
-  std::int64_t modelled() const { return products_.size(); }
 
   void bind(const rc_domain&);
   void apply(const double* x, double* y);
-  void field(const double* x, double* y) { products_.field(x, y); }
   void subset(std::int64_t na, const std::int64_t* a, const double* b, double* x);
   void shifted(double rho, const double* b, double* x);
-  double norm() { return products_.norm(); }
   // The influence coefficients stay.
   void forget();
   void rest();
@@ -42,11 +37,8 @@ class Operator {
   bool fits(double bytes) const { return bytes <= budget(); }
   void factor_shifted(double rho);
 
-  const rc_host* host_;
   const rc_options* options_;
   bool grid_;
-  rc_common::MemoryLimit limit_;
-  rc_common::Products products_;
   WorkingSet set_;  // of grid points, so that it outlives a change of domain
   UpdatableCholesky shifted_;
   double rho_ = 0.0;  // of shifted_

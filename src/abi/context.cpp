@@ -138,13 +138,7 @@ rc_status rc_pair_supported(rc_context* context, const char* solver, const char*
 rc_status rc_kernel_coefficients(const char* name, double hx, double hy, int64_t nx, int64_t ny, double* out) {
   return guard("rc_kernel_coefficients", [&] {
     if (!name || !out) fail(RC_ERR_ARGUMENT, "kernel or out is null");
-    rc_system system = RC_SYSTEM_INIT;
-    system.boundary = RC_BOUNDARY_FREE;
-    system.nx = nx;
-    system.ny = ny;
-    system.hx = hx;
-    system.hy = hy;
-    system.modulus = 1;
+    const rc_system system = free_half_space(nx, ny, hx, hy, 1);
     rc_options options{context_of(nullptr), {}};
     options.set(RC_OPT_KERNEL, name);
     const System checked = checked_system(system, options, false);

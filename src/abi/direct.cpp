@@ -130,13 +130,7 @@ rc_status rc_cmr(int64_t nx, int64_t ny, double hx, double hy, double modulus, c
     if (!std::isfinite(approach)) fail(RC_ERR_ARGUMENT, "approach = ", approach, " is not finite");
     if (!p) fail(RC_ERR_ARGUMENT, "p is null");
 
-    rc_system system = RC_SYSTEM_INIT;
-    system.boundary = RC_BOUNDARY_FREE;
-    system.nx = nx;
-    system.ny = ny;
-    system.hx = hx;
-    system.hy = hy;
-    system.modulus = modulus;
+    const rc_system system = free_half_space(nx, ny, hx, hy, modulus);
     Settings settings("cmr");
     settings.set("cmr.levels", levels).set("cmr.radius", radius);
     if (inner) settings.set("cmr.inner", std::string(inner));

@@ -59,6 +59,18 @@ struct System {
   std::uint64_t needed_caps() const;
 };
 
+// A half-space with free edges, for functions that take its numbers one by one.
+inline rc_system free_half_space(std::int64_t nx, std::int64_t ny, double hx, double hy, double modulus) {
+  rc_system system = RC_SYSTEM_INIT;
+  system.boundary = RC_BOUNDARY_FREE;
+  system.nx = nx;
+  system.ny = ny;
+  system.hx = hx;
+  system.hy = hy;
+  system.modulus = modulus;
+  return system;
+}
+
 // Throws Error(ARGUMENT, SHAPE, OPTION, INCOMPATIBLE, EXTERNAL, NUMERIC, PLUGIN). With `probe`, a caller's matrix is read, a
 // caller's product is tried once, and the kernel is asked for its promises.
 System checked_system(const rc_system& system, const rc_options& options, bool probe);

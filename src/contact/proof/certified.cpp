@@ -149,25 +149,23 @@ Totals totals_of(const GridProblem& problem, const Deflected& answer, const Surv
   return surface.points().sum_over<Totals>(std::span<const std::size_t>(found.touching), add);
 }
 
-// Answers, message and arrays. rate: the stiffness, if the answer has given its pressures away.
-Numbers certify_and_write(const GridProblem& problem, const Target& target, const Answer& answer, const Deflected& found,
-                          double depth, std::optional<Stiffness> rate, const Attempt& attempt, const Outputs& outputs) {
-  if (!rate) rate = wanted_stiffness(problem, answer, attempt);
+// All numbers, and the message. rate: the stiffness of the answer, which may have given its pressures away.
+Numbers certified(const GridProblem& problem, const Target& target, const Answer& answer, const Deflected& found, double depth,
+                  Stiffness rate, const Attempt& attempt) {
   std::optional<ProvenSets> proven;
-  Numbers numbers = certified_numbers(problem, target, answer, found, depth, rate->value, attempt, &proven);
+  Numbers numbers = certified_numbers(problem, target, answer, found, depth, rate.value, attempt, &proven);
   if (proven) {
     Operator* const op = proving(problem, answer, proven->possible, attempt);
     std::optional<Operator::Watch> watch;
     if (op) watch.emplace(*op, [&] { return cancelled(problem, attempt); });
-    prove_interval(problem, op, proven->contacts, proven->possible, *rate);
+    prove_interval(problem, op, proven->contacts, proven->possible, rate);
   }
-  numbers.stiffness = *rate;
+  numbers.stiffness = rate;
   if (numbers.status != RC_OK && answer.status != RC_OK) numbers.status = answer.status;
   const bool left_out = problem.options.integer(RC_OPT_STIFFNESS) != 0 && cancelled(problem, attempt) == RC_STOP_CANCELLED;
   if (numbers.status == RC_OK && left_out) numbers.status = RC_STOP_CANCELLED;  // its stiffness
   numbers.work = work_of(problem, attempt.monitor);
   if (numbers.status != RC_OK) set_message(explain(numbers, remarks_on(problem, answer, attempt)).c_str());
-  write_arrays(problem, found, depth, outputs);
   return numbers;
 }
 
@@ -343,7 +341,8 @@ Finished certified_result(const GridProblem& problem, const Target& target, Answ
   const double without = by_load ? 0 : target.compression(problem.surface);
   const double depth = !answer.op ? without : stopped ? fitting_compression(problem, found) : answer.compression;
   Overlap overlap = overlap_of(problem, found, depth);
-  Numbers numbers = certify_and_write(problem, target, answer, found, depth, std::move(rate), attempt, outputs);
+  Numbers numbers = certified(problem, target, answer, found, depth, std::move(rate), attempt);
+  write_arrays(problem, found, depth, outputs);
   return {numbers, std::move(found.pressures), std::move(overlap), std::move(answer.history.own), answer.choice};
 }
 
@@ -380,7 +379,8 @@ Finished certify_given(const GridProblem& problem, const Target& target, const A
   const double depth = !target.by_load() ? target.compression(problem.surface)
                        : compression     ? *compression
                                          : fitting_compression(problem, given);
-  Numbers numbers = certify_and_write(problem, target, answer, given, depth, std::nullopt, attempt, outputs);
+  Numbers numbers = certified(problem, target, answer, given, depth, wanted_stiffness(problem, answer, attempt), attempt);
+  write_arrays(problem, given, depth, outputs);
   copy_text(numbers.solver, "none");
   return {.numbers = numbers, .overlap = overlap_of(problem, given, depth)};
 }
