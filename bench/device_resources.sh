@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# backends/cuda/resources.sh [--update]: registers, spills and shared memory of every kernel and of the functions that they call, for each architecture, as a table of
-# Markdown; --update writes it into docs/development/device.md. Needs nvcc (NVCC=...), no device.
+# bench/device_resources.sh [--update]: registers, spills and shared memory of every kernel of backends/cuda and of the functions
+# that they call, for each architecture, as a table of Markdown; --update writes it into docs/development/device.md. Needs nvcc (NVCC=...), no device.
 set -euo pipefail
-cd "$(dirname "$0")"
-root=$(cd ../.. && pwd)
+root=$(cd "$(dirname "$0")/.." && pwd)
+cd "$root/backends/cuda"
 nvcc=${NVCC:-nvcc}
 architectures=${ARCHITECTURES:-80 90 100}
 log=$(mktemp)
@@ -15,4 +15,4 @@ for architecture in $architectures; do
       -I"$root/backends" -I. -o /dev/null $source.cpp >>"$log" 2>&1
   done
 done
-python3 resources.py "$log" "$("$nvcc" --version | sed -n 's/.*release \([0-9.]*\).*/\1/p')" ${1:+"$root/docs/development/device.md"}
+python3 "$root/bench/device_resources.py" "$log" "$("$nvcc" --version | sed -n 's/.*release \([0-9.]*\).*/\1/p')" ${1:+"$root/docs/development/device.md"}

@@ -1,4 +1,4 @@
-"""resources.py LOG RELEASE [DOCUMENT]: what ptxas said of every kernel (resources.sh), the most of any architecture of a kind; prints
+"""device_resources.py LOG RELEASE [DOCUMENT]: what ptxas said of every kernel (device_resources.sh), the most of any architecture of a kind; prints
 it as a table, or writes it between the marks of the document."""
 import collections
 import pathlib
