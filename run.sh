@@ -4,7 +4,7 @@
 # Installs what is missing, builds the command, and presses SURFACE against a flat. Without SURFACE: a rubber seal on lapped steel, a
 # generated map, without adhesion, which would add some contact (docs/how-to/limits.md).
 #
-# What OPTIONS leave out has a default: E* = 100 GPa (seal: E = 10 MPa, nu = 0.5); the mean pressures 50 MPa, 500 MPa and 2 GPa
+# Options that are left out have defaults: E* = 100 GPa (seal: E = 10 MPa, nu = 0.5); the mean pressures 50 MPa, 500 MPa and 2 GPa
 # (seal: 20, 50 and 100 kPa); --remove plane; heights and pitch in micrometres and a pitch of 1, if the file cannot say them;
 # --out build-run/demo/out. --page also writes report.html there, which needs Jinja2, NumPy and Plotly for Python.
 # --out DIR --resume continues an interrupted history. All options: roughcontact solve --help, docs/command-line.md.

@@ -21,7 +21,7 @@ quick() { [ "$tier" = --quick ]; }
 
 # state: the tree of the commit, if nothing differs from it.
 state() { [ -n "$(git status --porcelain 2>&1)" ] || git rev-parse 'HEAD^{tree}'; }
-# What --full has found of this tree; scripts/release.sh asks for its last line.
+# The result of --full on this tree; scripts/release.sh asks for its last line.
 record=build-gcc/full-test
 note() { ! full || [ -z "$tree" ] || [ "$(state)" != "$tree" ] || echo "$tree $*" >>"$record"; }
 

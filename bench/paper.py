@@ -124,7 +124,7 @@ VARIANTS = {'as printed': (False, False, False), 'every point clipped and admitt
 
 
 def problem_of(scene):
-    """(matrix, compenetrations) of the candidates of a scene with square cells."""
+    """(matrix, penetrations) of the candidates of a scene with square cells."""
     gap = scene.gap.ravel()
     points = np.flatnonzero(gap < scene.approach)
     matrix = influence(scene.kernel, len(scene.gap))[np.ix_(points, points)]
@@ -132,7 +132,7 @@ def problem_of(scene):
 
 
 def residual_of(p, w, height):
-    """Largest violation of p >= 0, w >= 0, p w = 0, relative to the largest pressure and compenetration."""
+    """Largest violation of p >= 0, w >= 0, p w = 0, relative to the largest pressure and penetration."""
     worst = np.max(np.where(p > 0, np.abs(w), -w)) / height
     return max(0.0, worst, -p.min() / np.abs(p).max())
 

@@ -262,7 +262,7 @@ class Nnls(Runner):
 
 class Osqp(Runner):
     """OSQP (ADMM for quadratic programs) with polishing: min 1/2 p'Hp - u'p over p >= 0, H as a full sparse matrix. Its tolerances are
-    absolute too, so it gets cells of side 1 and compenetrations of at most 1."""
+    absolute too, so it gets cells of side 1 and penetrations of at most 1."""
 
     def __init__(self, request, gap):
         import osqp

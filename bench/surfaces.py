@@ -136,7 +136,7 @@ def rough_scene(levels, seed, hurst=0.7):
 
 
 def example_one(side, spacing, seed, kernel='love'):
-    """Bemporad & Paggi (2015), Example 1: side x side unit cells, every one a candidate, compenetrations uniform on (0, 1). Spacing 2: a
+    """Bemporad & Paggi (2015), Example 1: side x side unit cells, every one a candidate, penetrations uniform on (0, 1). Spacing 2: a
     masked cell between each two."""
     width = spacing * (side - 1) + 1
     gap, mask = np.full((width, width), 2.0), None

@@ -28,7 +28,7 @@ class Circulation {
     add(edge.to, -flow, 0);
     return flow;
   }
-  // What flows from its parent to a cell on which nothing hangs any more; error: out, of it.
+  // The flow from its parent to a cell on which nothing hangs any more; error: out, of that flow.
   double on_tree(std::int64_t i, std::int64_t parent, double& error) {
     const auto at = static_cast<std::size_t>(i);
     error = error_[at];

@@ -10,7 +10,7 @@ namespace rc::formats {
 
 enum class Samples { whole, real };
 
-// What a picture's header says; throws unless it is a map of heights. bits: of a sample.
+// The header of a picture; throws unless it is a map of heights. bits: of a sample.
 void check_picture(std::int64_t nx, std::int64_t ny, int channels, int bits, Samples samples);
 
 // The surface of rows in the machine's byte order. Whole numbers stay as they are, for the height range to scale; real ones are

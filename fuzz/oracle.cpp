@@ -61,7 +61,7 @@ void Answer::took(rc_status returned) {
   explained = rc_last_error()[0] != '\0';
 }
 
-// What the checks share, in extended precision: the exact pressures are those at the returned approach.
+// Facts that all checks need, in extended precision: the exact pressures are those at the returned approach.
 struct Oracle::Parts {
   std::vector<bool> open;
   std::vector<Real> u;
@@ -164,7 +164,7 @@ void Oracle::check_residuals(const Problem& problem, const Answer& answer, Parts
   parts.noise = round_off() * parts.largest_row * parts.largest_p + 8 * epsilon * (highest + std::abs(approach)) +
                 64 * least_double * (1 + parts.largest_row);
 
-  // Residuals are relative to the compenetration. With periodic boundaries, where it may vanish beside the deflections, they are
+  // Residuals are relative to the penetration. With periodic boundaries, where it may vanish beside the deflections, they are
   // relative to a deflection under the exact pressures, so that a wrong answer cannot loosen its own test.
   parts.scale = deepest;
   const rc_system& s = scene_.system;

@@ -32,7 +32,7 @@ inside roughcontact backends
 for backend in dense fft cholmod; do
   [[ $(solve --backend $backend) == *RC_OK*",$backend,"* ]] || fail "the command on $backend: $(solve --backend $backend)"
 done
-# What the licences of the packages rest on: the solver library links neither FFTW, SuiteSparse nor GSL.
+# The licences of the packages rest on this: the solver library links neither FFTW, SuiteSparse nor GSL.
 library=$(inside dpkg -L libroughcontact0 | grep 'libroughcontact.so.[0-9]*$')
 ! inside ldd "$library" | grep -E 'fftw|cholmod|gsl' || fail "GPL in the library"
 

@@ -71,7 +71,7 @@ use() {
 }
 
 smoke() {
-  # What takes least time to compile and to run; GNU's compilers seldom look for memory to use again.
+  # These options take least time to compile and to run; GNU's compilers seldom look for memory to use again.
   local build=build-cross/$1-smoke level='-Og --param ggc-min-expand=400 --param ggc-min-heapsize=1000000' targets=()
   [[ $cc != */zig/* ]] || level=-O0
   local kind=("-DCMAKE_CXX_FLAGS_RELEASE=$level -DNDEBUG")

@@ -1,4 +1,4 @@
-# What Debian's policy wants besides the installed files: copyright and changelogs of each package, compressed manual pages, no
+# Adds to the installed files what Debian's policy wants: copyright and changelogs of each package, compressed manual pages, no
 # unneeded sections. Run by CPack on the tree that each package is made of.
 function(compress file)
   execute_process(COMMAND gzip -9nf ${file} COMMAND_ERROR_IS_FATAL ANY)

@@ -1,4 +1,4 @@
-// What the words crop, despike, mirror, shift and resample do to a map, and what surface.cpp does to one besides.
+// Changes of a map by the words crop, despike, mirror, shift and resample, and others that surface.cpp needs.
 #pragma once
 
 #include "request/request.h"

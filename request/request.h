@@ -1,4 +1,4 @@
-// What a request owns: the words as given, the problem that they mean, and remarks.
+// A request: the words as given, the problem that they mean, and remarks.
 #pragma once
 
 #include <roughcontact/request.h>

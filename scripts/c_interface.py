@@ -10,7 +10,7 @@ from typing import Any, Dict, Iterable, List, NamedTuple, Optional, Set, Tuple, 
 import pycparser
 from pycparser import c_ast, c_generator
 
-# What a C prototype does not say: pointers to one number. All others are arrays.
+# Pointers to one number, which a C prototype does not show. All others are arrays.
 SCALARS = {
     "rc_version": "major minor patch abi",
     **dict.fromkeys(("rc_stop_when", "rc_surface_stop_when", "rc_flow_stop_when"), "flag"),

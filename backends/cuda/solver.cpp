@@ -45,7 +45,7 @@ class Cells {
   }
 
   // spare: memory of the device for as many doubles.
-  void upload_compenetration(Device& device, double* to, double* spare) const {
+  void upload_penetration(Device& device, double* to, double* spare) const {
     const rc_grid& grid = *problem_.grid();
     // Cells that are no unknowns may have any value.
     const bool there = !problem_.u() && on_this_device(grid);
@@ -55,15 +55,14 @@ class Cells {
         using Value = std::remove_const_t<std::remove_pointer_t<decltype(gap)>>;
         if (!there) device.upload(spare, gap, static_cast<std::size_t>(count()) * sizeof(Value));
         const auto* const first = static_cast<const Value*>(there ? device.found(grid.gap_on_device.data) : spare);
-        device.each(count(),
-                    Compenetration<Value>{first + box_.y * grid.nx + box_.x, to, grid.approach, length, box_.nx, grid.nx});
+        device.each(count(), Penetration<Value>{first + box_.y * grid.nx + box_.x, to, grid.approach, length, box_.nx, grid.nx});
       });
       return;
     }
     if (problem_.u() && place_.empty())
       return device.upload(to, problem_.u(), static_cast<std::size_t>(count()) * sizeof(double));
     std::vector<double> u(static_cast<std::size_t>(count()));
-    for (Index i = 0; i < problem_.size(); ++i) u[static_cast<std::size_t>(at(i))] = problem_.compenetration(i);
+    for (Index i = 0; i < problem_.size(); ++i) u[static_cast<std::size_t>(at(i))] = problem_.penetration(i);
     device.upload(to, u.data(), u.size() * sizeof(double));
   }
 
@@ -139,7 +138,7 @@ rc_status iterate(const rc_host* host, const rc_problem& given, const rc_options
   const typename M::Memory memory = M::place(engine->vectors(), cells.count(), trees.bytes());
   trees.place(device, memory.trees);
   cells.upload_state(device, memory.state);
-  cells.upload_compenetration(device, memory.u, memory.spare);
+  cells.upload_penetration(device, memory.u, memory.spare);
   const Start start{cells.box(), problem.pressure_unit(), problem.cap(), memory.p};
   if (!from_history || !history.write(device, start)) cells.upload_pressures(device, p, memory.p);
 

@@ -50,7 +50,7 @@ const rc_plugin plugin = {
 
 extern "C" {
 
-// T is the trial set of this gap and approach, x the compenetration over T. y: [points of T], or null.
+// T is the trial set of this gap and approach, x the penetration over T. y: [points of T], or null.
 const char* bench_time_products(const rc_system* system, const double* gap, double approach, const char* backend,
                                 std::int64_t threads, double budget, std::int64_t single, double* y, double* seconds) {
   return guarded([&] {

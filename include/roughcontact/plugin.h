@@ -323,7 +323,7 @@ struct rc_kept_steps {
   void (*keep)(const rc_kept_steps *, void *object, void (*destroy)(void *object));
 };
 
-/** The problem handed to a solver, scaled so that compenetrations are at most 1. With w = H p - u (approach
+/** The problem handed to a solver, scaled so that penetrations are at most 1. With w = H p - u (approach
  *  control) or w = H p - u - d (load control, d found): p >= 0, w >= 0, p w = 0. */
 typedef struct rc_problem rc_problem;
 struct rc_problem {
@@ -333,10 +333,10 @@ struct rc_problem {
   int64_t n;          /* unknowns                                                                              */
   int32_t control;    /* RC_CONTROL_*                                                                          */
   int32_t positive;   /* 1: no entry of H is negative                                                          */
-  const double *u;    /* [n] APPROACH: compenetration d - h; LOAD: -h. NULL: see RC_READS_GAP                */
+  const double *u;    /* [n] APPROACH: penetration d - h; LOAD: -h. NULL: see RC_READS_GAP                   */
   double load;        /* LOAD: the sum of p that is wanted                                                     */
   double cap;         /* the largest pressure: 0 <= p <= cap; p = cap: w <= 0. INFINITY: none                  */
-  double tol;         /* residual to reach, relative to a compenetration of 1                                  */
+  double tol;         /* residual to reach, relative to a penetration of 1                                     */
   double lambda_min;  /* a lower bound of the eigenvalues of H; 0: none is known                               */
   double zero_mode;   /* periodic: eigenvalue of H for the constant vector, which coefficients() leaves out    */
   double length, pressure; /* units: u and d in lengths [length], p in pressures [force/length^2]; 0 without a grid */

@@ -8,7 +8,7 @@
 
 namespace rc {
 
-// What an array of the caller's may be beside RC_NATIVE.
+// The types of an array of the caller's: RC_NATIVE, or also RC_SINGLE.
 enum class Types { native, floats };
 
 template <class Array> void check_array(const Array& array, const char* name, Types types) {

@@ -1,4 +1,4 @@
-// What slip needs of a law, and of the numbers of friction.
+// The parts of a law that slip needs, and the numbers of friction.
 #pragma once
 
 #include "law/law.h"

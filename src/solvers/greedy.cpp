@@ -184,7 +184,7 @@ class Greedy {
     if (overlapping == 0) return open <= problem_.tol() ? RC_OK : RC_STOP_STALLED;
     const bool repair = problem_.option_int("greedy.repair") != 0;
     char remark[160];
-    std::snprintf(remark, sizeof remark, "greedy: %lld points overlap%s, worst w = %.2g of the largest compenetration; %s",
+    std::snprintf(remark, sizeof remark, "greedy: %lld points overlap%s, worst w = %.2g of the largest penetration; %s",
                   static_cast<long long>(overlapping), repair ? "ped" : "", -deepest,
                   repair ? "nnls has repaired it" : "set greedy.repair or use nnls");
     problem_.note(remark);

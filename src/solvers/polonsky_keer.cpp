@@ -54,7 +54,7 @@ class Iteration {
       return balance();
     }
     // A start may have more energy than zero pressure, for instance after a much heavier step. It is then replaced by its
-    // multiple of least energy, or by a multiple of the compenetration if that would be zero.
+    // multiple of least energy, or by a multiple of the penetration if that would be zero.
     if (warm && 0.5 * dot(p_, hp_) <= dot_u(p_)) return;
     if (!warm || !(dot_u(p_) > 0)) {
       for (std::size_t i = 0; i < n_; ++i) p_[i] = std::max(u_[i], 0.0);

@@ -33,7 +33,7 @@ class Problem {
   double load() const { return problem_.load; }
   double cap() const { return problem_.cap; }  // 0 <= p <= cap; may be infinite
   double tol() const { return problem_.tol; }
-  // The least scale of residuals: in full periodic contact the compenetration, the usual scale, may vanish under any load.
+  // The least scale of residuals: in full periodic contact the penetration, the usual scale, may vanish under any load.
   double least_scale() const {
     const bool periodic = problem_.grid && problem_.grid->boundary == RC_BOUNDARY_PERIODIC;
     const std::int64_t n = ranks() ? grid()->nx * grid()->ny : size();
@@ -86,7 +86,7 @@ class Problem {
   // The point of the grid that unknown i stands for.
   std::int64_t point(std::int64_t i) const { return grid()->index ? grid()->index[i] : i; }
   // The overlap of the undeformed surfaces at unknown i.
-  double compenetration(std::int64_t i) const {
+  double penetration(std::int64_t i) const {
     return u() ? u()[i] : (grid()->approach - gap()[static_cast<std::size_t>(point(i))]) / length_unit();
   }
   void coefficients(std::int64_t mx, std::int64_t my, Vector& out) const {

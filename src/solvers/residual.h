@@ -6,10 +6,10 @@
 namespace rc {
 
 struct Residual {
-  double worst;     // largest violation of the KKT conditions, relative to the largest compenetration
+  double worst;     // largest violation of the KKT conditions, relative to the largest penetration
   double approach;  // load control: the approach at which the points with 0 < p < cap have a mean gap of 0; where there are
                     // none, the least at which no point at the cap has a gap or, if others overlap there, one between; else 0
-  double scale;     // the largest compenetration, or Problem::least_scale if that is larger
+  double scale;     // the largest penetration, or Problem::least_scale if that is larger
 };
 
 // The residual of 0 <= p <= cap with hp = H p. Points with p > 0 are in contact; those with p = cap may overlap.

@@ -15,7 +15,7 @@ struct ReferenceCase {
   double load = 0;  // force
   std::int64_t contacts = 0, candidates = 0;
   bool count_is_robust = false;                     // the margins are far above the tolerance
-  double depth = 0;                                 // largest compenetration
+  double depth = 0;                                 // largest penetration
   std::int64_t rows = 0, columns = 0, spacing = 1;  // as the case is stored
 };
 

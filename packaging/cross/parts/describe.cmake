@@ -1,4 +1,4 @@
-# What a toolchain file of this folder says, for the shell: cmake -DTOOLCHAIN=FILE -P describe.cmake
+# Prints the settings of a toolchain file of this folder for the shell: cmake -DTOOLCHAIN=FILE -P describe.cmake
 include(${TOOLCHAIN})
 foreach(tool AR RANLIB)
   if(NOT CMAKE_${tool})

@@ -358,7 +358,7 @@ class Proof {
   const Survey& found_;
   const std::span<const double> given_, product_;
   Extent candidates_;                                               // points that may carry pressure
-  double length_ = 1, depth_ = 0;                                   // [length]; largest compenetration
+  double length_ = 1, depth_ = 0;                                   // [length]; largest penetration
   double sum_ = 0, negative_ = 0, largest_w_ = 0, doubt_ = 0;       // sum of p; of the negative p; largest |w|; error of w_i
   double beta_ = 0, stray_ = 0, delta_sum_ = 0, delta_square_ = 0;  // see residual(); stray: the pressures in beta
   double work_ = 0;                                                 // p'|Hp| + p'|u|

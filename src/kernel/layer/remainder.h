@@ -1,4 +1,4 @@
-// What a layer adds to the deflection of a half-space of its own material, on free boundaries.
+// The deflection that a layer adds to that of a half-space of its own material, on free boundaries.
 #pragma once
 
 #include <array>

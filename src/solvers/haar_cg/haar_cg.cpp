@@ -40,7 +40,7 @@ bool worth_mixing(const Problem& problem) {
   if (!problem.has_float() || problem.option_text(products.key) != mixed_products) return false;
   if (problem.load_control()) return true;
   std::int64_t overlaps = 0;
-  for (std::int64_t i = 0; i < problem.size() && overlaps <= few_overlaps; ++i) overlaps += problem.compenetration(i) > 0 ? 1 : 0;
+  for (std::int64_t i = 0; i < problem.size() && overlaps <= few_overlaps; ++i) overlaps += problem.penetration(i) > 0 ? 1 : 0;
   if (const Ranks* const ranks = problem.ranks()) {
     const std::vector<std::int64_t> all = ranks->of_each(overlaps);
     overlaps = std::accumulate(all.begin(), all.end(), std::int64_t{0});
@@ -48,7 +48,7 @@ bool worth_mixing(const Problem& problem) {
   return overlaps > few_overlaps;
 }
 
-// Products and pressures in single precision have errors of some 1e-6 of the largest compenetration, if no wave without
+// Products and pressures in single precision have errors of some 1e-6 of the largest penetration, if no wave without
 // deflection can make the pressures large.
 bool single_suffices(const Problem& problem) {
   constexpr double least_tol = 0.9e-5;

@@ -101,9 +101,9 @@ bool start_nested(const Problem& problem, const CoarseSolver& solver, std::span<
 bool start_few(const Problem& problem, std::span<double> p) {
   Vector alone;
   problem.coefficients(1, 1, alone);
-  std::vector<std::pair<double, std::size_t>> highest;  // compenetration and unknown, the highest first
+  std::vector<std::pair<double, std::size_t>> highest;  // penetration and unknown, the highest first
   for (std::size_t i = 0; i < p.size(); ++i) {
-    const std::pair<double, std::size_t> next{-problem.compenetration(static_cast<std::int64_t>(i)), i};
+    const std::pair<double, std::size_t> next{-problem.penetration(static_cast<std::int64_t>(i)), i};
     if (highest.size() > few_loaded && !(next < highest.back())) continue;
     highest.insert(std::upper_bound(highest.begin(), highest.end(), next), next);
     if (highest.size() > few_loaded + 1) highest.pop_back();
@@ -135,7 +135,7 @@ void start_cold(const Problem& problem, std::span<double> p) {
     Part part;
     for (std::int64_t i = begin; i < begin + count; ++i) {
       double& value = p[static_cast<std::size_t>(i)];
-      value = cold_pressure(problem.compenetration(i));
+      value = cold_pressure(problem.penetration(i));
       part.sum += value;
       part.most = std::max(part.most, value);
       part.within += value > 0 ? 1 : 0;

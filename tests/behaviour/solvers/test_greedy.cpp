@@ -18,7 +18,7 @@ struct Draw {
   Problem problem;
 };
 
-// seed, then the compenetrations row by row; E* = 0.01, cells of side 1.
+// seed, then the penetrations row by row; E* = 0.01, cells of side 1.
 std::vector<Draw> read_draws() {
   std::ifstream in(RC_TEST_DATA "/cases/ex1_eq9_N10_failing_ubar.csv");
   std::vector<Draw> draws;

@@ -80,7 +80,7 @@ void periodic_load_control_needs_no_hand_over() {
   }
 }
 
-// The compenetration of the flattest contact is 0 under any load.
+// The penetration of the flattest contact is 0 under any load.
 void flat_on_flat_is_certified() {
   for (const char* solver : {"haar-cg", "polonsky-keer", "nnls", "gp"})
     for (const double bump : {0.0, 1e-9, 1e-3}) {

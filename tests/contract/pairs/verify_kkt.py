@@ -1,7 +1,7 @@
 """Residuals of pressures, independent of the library, for the certificate's tests.
 
 usage: verify_kkt.py JOBS.json RESULTS.json
-A job holds compenetrations u and forces p (n1 rows of n2 values), kernel, delta (cell size), Es and spacing (distance of elements over
+A job holds penetrations u and forces p (n1 rows of n2 values), kernel, delta (cell size), Es and spacing (distance of elements over
 delta); a result neg_p, neg_w, w_contact and compl: the largest of min(p / max p, |w| / max u). Exits with 77 where NumPy is missing.
 """
 

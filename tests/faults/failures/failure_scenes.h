@@ -22,7 +22,7 @@ struct Scene {
   rc_step step() const;
 };
 
-// Bemporad & Paggi (2015), Example 1: side x side unit cells, every one a candidate, compenetrations uniform on (0, 1). Spacing
+// Bemporad & Paggi (2015), Example 1: side x side unit cells, every one a candidate, penetrations uniform on (0, 1). Spacing
 // 2: a masked cell between each two.
 Scene example_one(std::int64_t side, std::int64_t spacing, std::uint64_t seed);
 

@@ -15,7 +15,7 @@ namespace failures {
 // positive: greedy is exact for every u on this set and, as the property is inherited, on each of its subsets.
 double largest_inverse_coupling(const std::string& kernel, std::int64_t side, std::int64_t spacing);
 
-// The compenetrations u of the construction above for the largest coupling: greedy fails on them. Empty where there is none.
+// The penetrations u of the construction above for the largest coupling: greedy fails on them. Empty where there is none.
 std::vector<double> greedy_counterexample(const std::string& kernel, std::int64_t side);
 
 }  // namespace failures

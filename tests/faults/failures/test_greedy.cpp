@@ -78,7 +78,7 @@ std::vector<Field> stored_draws() {
   return draws;
 }
 
-Problem with_compenetration(const Field& u, std::int64_t side, const std::string& kernel) {
+Problem with_penetration(const Field& u, std::int64_t side, const std::string& kernel) {
   Problem problem;
   problem.system.nx = problem.system.ny = side;
   problem.kernel = kernel;
@@ -88,7 +88,7 @@ Problem with_compenetration(const Field& u, std::int64_t side, const std::string
 
 void stored_draws_fail_with_greedy_alone() {
   for (const Field& u : stored_draws()) {
-    const Problem problem = with_compenetration(u, 10, "eq9");
+    const Problem problem = with_penetration(u, 10, "eq9");
     const Answer truth = truth_of(problem);
     for (const std::string& solver : solvers_on("dense", problem)) {
       const Answer answer = solve(problem, {solver, "dense"}, {{"tol", "1e-9"}, {"max_iter", "100000"}, {"greedy.repair", "0"}});
@@ -131,7 +131,7 @@ void inverse_has_none_where_greedy_is_exact() {
 // Necessity: whatever positive coupling there is makes a surface on which greedy fails.
 void a_positive_coupling_makes_a_counterexample() {
   for (const std::string kernel : {"eq9", "galerkin", "punch"}) {
-    const Problem problem = with_compenetration(greedy_counterexample(kernel, 6), 6, kernel);
+    const Problem problem = with_penetration(greedy_counterexample(kernel, 6), 6, kernel);
     const Answer found = solve(problem, greedy, exact), truth = truth_of(problem);
     check_status(found, RC_UNCERTIFIED, kernel);
     report(kernel + ": greedy's pressures are off by " + text(difference(found.p, truth.p)));

@@ -393,7 +393,7 @@ template <Machine M, class Poll> class HaarIteration {
   bool conjugate_ = false;       // the next direction is made conjugate to t
   bool cut_any_ = false;         // the last bound cut pressures off
   bool prepared_ = false;        // the trees are set up for the present free set
-  double violation_ = infinite;  // at the last bound, relative to the largest compenetration
+  double violation_ = infinite;  // at the last bound, relative to the largest penetration
   NewtonDatum newton_;
   SoughtLoad sought_;
   HaarProgress progress_;

@@ -13,7 +13,7 @@ namespace rc {
 
 class NewtonDatum {
  public:
-  static constexpr double blur = 1e-5;  // of the compenetration: error of a datum at which every point is at an end
+  static constexpr double blur = 1e-5;  // of the penetration: error of a datum at which every point is at an end
 
   constexpr explicit NewtonDatum(bool elongated)
       : elongated_(elongated),
@@ -21,7 +21,7 @@ class NewtonDatum {
     if (elongated) excess_.expect(unknown);
   }
 
-  // The state before a step. depth: the largest compenetration. The trees give pending, the load that the present gap calls for,
+  // The state before a step. depth: the largest penetration. The trees give pending, the load that the present gap calls for,
   // and slope, that of the load over the datum: 1'z with z = M 1. residual: after the last bound.
   struct State {
     double datum, load, depth, pending, slope, residual;
@@ -68,7 +68,7 @@ class NewtonDatum {
   static constexpr double usual_excess = 2, elongated_excess = 10;       // largest correction of the trees' slope, either way
   static constexpr double settled_residual = 5e-2;                       // residual below which the free set changes little
   static constexpr double overloaded = 10;                               // relative imbalance: the datum may then fall by more
-  static constexpr double most_fall = 0.5, most_fall_overloaded = 0.95;  // of the compenetration in a step
+  static constexpr double most_fall = 0.5, most_fall_overloaded = 0.95;  // of the penetration in a step
   static constexpr double least_stiffening = 1e-2, most_stiffening = 4;  // correction of the deflection's slope
   static constexpr double least_slope = 1e-4;                            // of the deflection that is missing
   static constexpr double most_share = 0.99;  // of the deflection under a load: the added mean makes up less

@@ -45,14 +45,14 @@ double highest_of(const std::vector<double>& u) {
   return std::max(*std::max_element(lane, lane + 8), *std::max_element(u.begin() + static_cast<std::ptrdiff_t>(i) - 1, u.end()));
 }
 
-void compenetrations(const Problem& problem, std::vector<double>& u) {
+void penetrations(const Problem& problem, std::vector<double>& u) {
   const rc_grid& grid = *problem.grid();
   if (!problem.u() && !grid.index && problem.gap().in_double()) {
     best_haar_loops<float, double>().compenetrate(problem.size(), problem.gap().in_double(), grid.approach,
                                                   1 / problem.length_unit(), u.data());
     return;
   }
-  for (std::size_t i = 0; i < u.size(); ++i) u[i] = problem.compenetration(static_cast<std::int64_t>(i));
+  for (std::size_t i = 0; i < u.size(); ++i) u[i] = problem.penetration(static_cast<std::int64_t>(i));
 }
 
 }  // namespace
@@ -224,7 +224,7 @@ bool NearSteps::solve(std::span<double> p, double& d) {
   state.u.resize(p.size());
   state.w.resize(p.size());
   product_.resize(p.size());
-  compenetrations(problem_, state.u);
+  penetrations(problem_, state.u);
   const double highest = by_load ? highest_of(state.u) : 0;
   bool known = know_product(p, product_);
   const double given = d;

@@ -161,7 +161,7 @@ class Solved {
     return found;
   }
 
-  // The largest violation of the conditions, by a product in double precision, relative to the largest compenetration.
+  // The largest violation of the conditions, by a product in double precision, relative to the largest penetration.
   double violation(const Solution& found) const {
     Field w(u_.size());
     product_.multiply(found.p.data(), w.data());
