@@ -38,7 +38,7 @@ class Rows {
   // Shared rows as solvers and backends see them, in a place that outlives their use; null: not shared.
   const rc_rows* seen(SharedRows& place) const { return ranks_ ? &(place = SharedRows(*ranks_)) : nullptr; }
 
-  // An action that all ranks do alike, each with exchanges in it; it fails on all if it fails on one.
+  // The same action on all ranks, with exchanges in it; it fails on all if it fails on one.
   template <class Action> void together(const Action& action) const { ranks_ ? ranks_->together(action) : action(); }
   // An action that may throw, and fails on all ranks if it fails on one.
   template <class Action> void on_all(const Action& action) const { rc::on_all(ranks(), action); }
