@@ -195,7 +195,7 @@ class Figures:
         maps = self.content.maps
         rows, columns = values.shape
         length = prefix_for(max(rows * maps.pitch[1], columns * maps.pitch[0]))
-        factor = prefix_for(float(np.nanmax(np.abs(values), initial=0)))
+        factor = prefix_for(float(np.nanmax(np.abs(values), initial=0))) if unit else (1.0, "")
         trace = self.graph.Heatmap(
             z=(values / factor[0]).astype(np.float32),
             x0=0.5 * maps.pitch[0] / length[0],
@@ -203,7 +203,7 @@ class Figures:
             y0=0.5 * maps.pitch[1] / length[0],
             dy=maps.pitch[1] / length[0],
             colorscale=colours,
-            colorbar={"title": {"text": f"[{factor[1]}{unit}]"}, "thickness": 14},
+            colorbar={"title": {"text": f"[{factor[1]}{unit}]" if unit else ""}, "thickness": 14},
             hovertemplate=f"x %{{x:.4g}}, y %{{y:.4g}} {length[1]}m<br>{name} %{{z:.4g}} {factor[1]}{unit}<extra></extra>",
             **how,
         )
