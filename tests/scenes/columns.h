@@ -10,13 +10,16 @@ namespace scenes {
 struct Columns {
   explicit Columns(std::size_t steps);
 
-  /** Points a request's columns at these arrays. */
+  /** Leaves out some of the columns. The stiffness is asked for with its interval, if at all. */
+  void leave_out(Random& random);
+  /** Points a request's columns at these arrays, those that are wanted. */
   rc_columns request();
   /** The same numbers from an answer of rc_contact_solve. */
   void take(std::size_t k, const StepAnswer& answer);
-  /** Fails unless steps first .. first+count-1 of `all` have the same bits as these. */
+  /** Fails unless steps first, first+1, ... of `all` have the same bits as these, where they are wanted. */
   void need_same(const Columns& all, std::size_t first, const std::string& what) const;
 
+  std::vector<bool> wanted;  // each of `reals`
   std::vector<Field> reals;  // in the order of rc_columns
   std::vector<std::int64_t> iterations, products;
   std::vector<rc_status> status;

@@ -27,7 +27,7 @@ struct Cover {
   std::size_t boundary() const { return k / 8; }
 };
 
-void draw_sides(Random& random, rc_system& s, bool reduced, bool dear) {
+void draw_sides(Random& random, rc_system& s, bool reduced, bool stored) {
   const auto shaped = [&](std::int64_t points) {
     s.nx = random.between(1, 16);
     s.ny = random.between(1, std::max<std::int64_t>(1, std::min<std::int64_t>(16, points / s.nx)));
@@ -36,15 +36,16 @@ void draw_sides(Random& random, rc_system& s, bool reduced, bool dear) {
   if (kind < 0.06) {  // a line
     s.nx = 1;
     s.ny = random.between(1, reduced ? 24 : 64);
-  } else if (reduced || kind < 0.84) {
+  } else if (reduced || kind < 0.82) {
     shaped(reduced ? 36 : 64);
-  } else if (kind < 0.98 || dear) {
+  } else if (kind < 0.95 || stored) {
     shaped(144);
   } else {
-    constexpr std::array<std::int64_t, 8> sides{24, 31, 48, 60, 64, 65, 96, 128};
-    s.nx = random.one_of(sides);
-    s.ny = random.one_of(sides);
-    if (s.nx * s.ny > 64 * 96) s.ny = 24;
+    constexpr std::array<std::int64_t, 12> sides{24, 31, 48, 60, 64, 65, 96, 100, 127, 128, 130, 160};
+    do {
+      s.nx = random.one_of(sides);
+      s.ny = random.one_of(sides);
+    } while (s.nx * s.ny > 128 * 128);
   }
   if (random.chance(0.5)) std::swap(s.nx, s.ny);
 }
@@ -60,7 +61,7 @@ void draw_system(const Cover& cover, bool reduced, Scene& scene) {
   const bool product = chosen == 0 && random.chance(0.5);
   s.op = chosen > 0 ? RC_OPERATOR_HALFSPACE : product ? RC_OPERATOR_CALLBACK : RC_OPERATOR_DENSE;
   s.boundary = std::max(chosen, 0);
-  draw_sides(random, s, reduced, !scene.halfspace() || scene.semi_periodic());
+  draw_sides(random, s, reduced, !scene.halfspace());
   if (scene.periodic() && s.nx * s.ny == 1) s.nx = 2;
   const double scale = random.decades(-6, 3), shape = random.uniform();
   s.hx = s.hy = scale;
@@ -112,7 +113,7 @@ void draw_mask(const Cover& cover, Random& random, const rc_system& s, Surface& 
     surface.mask[i] = kept;
   }
   surface.mask[static_cast<std::size_t>(random.below(static_cast<std::int64_t>(n)))] = 1;
-  if (random.chance(0.3))
+  if (random.chance(0.6))
     for (std::size_t i = 0; i < n; ++i)
       if (!surface.mask[i]) surface.gap[i] = std::numeric_limits<double>::quiet_NaN();
 }
@@ -207,7 +208,7 @@ double draw_target(Random& random, const Scene& scene, const Influence* h, const
     for (std::size_t i = 0; i < scene.points(); ++i) included += surface.included(i);
     constexpr std::array<double, 5> shares{1e-6, 0.5, 0.9999, 1 - 1e-9, 1};
     load = scene.system.hardness * scene.cell_area() * included * random.one_of(shares);
-  } else if (scene.periodic() && levels_of(surface).whole && random.chance(0.1)) {
+  } else if (scene.periodic() && !scene.hard() && random.chance(0.15)) {
     load *= random.decades(0, 2);  // into full contact
   } else if (random.chance(0.03)) {
     load = 0;

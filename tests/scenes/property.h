@@ -2,6 +2,7 @@
 // by as little as the property must notice: properties that notice nothing are found by the spoilt answers.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -21,7 +22,12 @@ class Property {
   virtual Verdict judge(const Case& c) const = 0;
   /** False where nothing can be spoilt. */
   virtual bool spoil(const Case& c, Random& random) = 0;
+  /** Adds to numbers of which the driver prints the medians of all scenes, and which must not exceed `most_median`. */
+  virtual void measure(std::map<std::string, Field>&) const {}
 };
+
+/** Half the width of a load's interval over the actual error of the load: 9 to 18 in the median, and at most twice that. */
+constexpr double most_median = 40;
 
 struct Kind {
   const char* name;

@@ -49,7 +49,10 @@ bool spoil_pressure(std::vector<Field>& steps, Random& random) {
 
 bool spoil_column(Columns& columns, std::size_t from, std::size_t count, Random& random) {
   const std::size_t k = from + static_cast<std::size_t>(random.below(static_cast<std::int64_t>(count)));
-  double& value = columns.reals[static_cast<std::size_t>(random.below(13))][k];
+  std::size_t column = 0;
+  do column = static_cast<std::size_t>(random.below(static_cast<std::int64_t>(columns.reals.size())));
+  while (!columns.wanted[column] && random.chance(0.9));
+  double& value = columns.reals[column][k];
   if (std::isfinite(value))
     value = std::nextafter(value, std::numeric_limits<double>::infinity());
   else
@@ -69,6 +72,8 @@ class AsHistory final : public Property {
     p_by_steps_ = pressures_of(answers);
     const Handle contact = c.open();
     kept_.points = c.scene().points();
+    Random random(c.scene().seed, 550);
+    if (random.chance(0.5)) by_history_.leave_out(random);
     status_ = follow(c, contact.get(), targets_of(c.scene(), 0), c.scene().surfaces.front(), by_history_, kept_);
     return "";
   }

@@ -133,7 +133,7 @@ class AsOracle final : public OfSteps {
   }
 };
 
-// Plain sums over all pressures, at points that are drawn after the answer exists.
+// Plain sums over all pressures, at points that are drawn after the answer exists; there the gap is certified, too.
 class Gap final : public OfSteps {
  public:
   Verdict judge(const Case& c) const override {
@@ -141,7 +141,9 @@ class Gap final : public OfSteps {
       const StepAnswer& answer = kept_[k];
       const Surface& surface = c.surface(k);
       Random random(c.scene().seed, 200 + k);
-      const Real noise = product_noise(c, surface, answer);
+      const Real noise = product_noise(c, surface, answer), tol = (1 + 1e-6L) * static_cast<Real>(answer.result.tolerance);
+      const Real allowed = tol * residual_scale(c.scene(), surface, answer, c.scene().steps[k].target) + noise;
+      const Real most = *std::ranges::max_element(answer.p);
       const std::size_t n = answer.p.size();
       for (int tried = 0; tried < 64; ++tried) {
         const auto i = static_cast<std::size_t>(random.below(static_cast<std::int64_t>(n)));
@@ -152,6 +154,9 @@ class Gap final : public OfSteps {
           if (answer.p[j] != 0) gap += c.h()(i, j) * static_cast<Real>(answer.p[j]);
         need(std::abs(gap - static_cast<Real>(answer.gap[i])) <= noise,
              "the gap is off by " + number(gap - static_cast<Real>(answer.gap[i])) + " at point " + std::to_string(i));
+        const Real p = answer.p[i];
+        need(gap >= -allowed || p >= c.cap() * (1 - tol), "overlap " + number(gap) + " at point " + std::to_string(i));
+        need(p <= tol * most || gap <= allowed, "pressure across the gap " + number(gap) + " at point " + std::to_string(i));
       }
     }
     return Verdict::held;
@@ -250,7 +255,8 @@ class OfWrong final : public Property {
     if (c.answers().front().status != RC_OK) return "not certified";
     const StepAnswer& first = c.answers().front();
     Random random(c.scene().seed, 300);
-    const double size = random.decades(-8, -1) * first.result.max_pressure;
+    const double share = random.decades(-8, -1), size = share * first.result.max_pressure;
+    digits_ = static_cast<int>(std::round(-std::log10(share)));
     const std::int64_t way = random.below(4);
     Field p = first.p;
     for (std::size_t i = 0; i < p.size(); ++i) {
@@ -272,6 +278,7 @@ class OfWrong final : public Property {
     answer_.result.p = answer_.result.gap = rc_array{};
     if (answer_.status < 0) return "refused";
     exact_ = c.exact_of(answer_, c.surface(0), false);
+    exact_load_ = exact_.sum * static_cast<Real>(c.scene().cell_area());
     return std::isnan(answer_.result.load_lower) ? "nothing is proven" : "";
   }
   Verdict judge(const Case& c) const override { return judge_intervals(c, c.surface(0), answer_, exact_); }
@@ -287,9 +294,19 @@ class OfWrong final : public Property {
     return true;
   }
 
+  void measure(std::map<std::string, Field>& numbers) const override {
+    const rc_result& r = answer_.result;
+    if (!exact_.usable() || !(exact_.sum > 0) || !std::isfinite(r.load_upper)) return;
+    const double error = std::max(static_cast<double>(std::abs(static_cast<Real>(r.load) - exact_load_)), 1e-16 * r.load);
+    numbers["half-width over error of the load, pressures off by 1e-" + std::to_string(digits_)].push_back(
+        (r.load_upper - r.load_lower) / 2 / error);
+  }
+
  private:
   StepAnswer answer_;
   Exact exact_;
+  Real exact_load_ = 0;
+  int digits_ = 0;
 };
 
 constexpr std::array kinds{

@@ -1,7 +1,9 @@
 // Random scenes and what must hold of each. The seed is the name of a failure.
-//   test_scenes [--seeds A:B] [--property NAME] [--pair SOLVER*BACKEND] [--reduced] [--slow]
+//   test_scenes [--seeds A:B] [--property NAME] [--pair SOLVER*BACKEND] [--reduced] [--slow] [--stop]
 // --pair: each scene that this pair can solve is solved by it.
 // --reduced: scenes of few points, for slow builds, as RC_TEST_QUICK=1 asks for. --slow: lists scenes that take more than 0.2 s.
+// --stop: ends at the first failure.
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <chrono>
@@ -18,7 +20,7 @@ namespace {
 struct Wanted {
   std::uint64_t first = 0, end = 2000;
   std::string property;
-  bool reduced = false, slow = false;
+  bool reduced = false, slow = false, stop = false;
 };
 
 struct Tally {
@@ -43,11 +45,11 @@ class Driver {
   explicit Driver(const Wanted& wanted) : wanted_(wanted), kinds_(all_kinds()), tallies_(kinds_.size()) {}
 
   void run() {
-    for (std::uint64_t seed = wanted_.first; seed < wanted_.end; ++seed) run(seed);
+    for (std::uint64_t seed = wanted_.first; seed < wanted_.end && !(wanted_.stop && failures_ > 0); ++seed) run(seed);
   }
 
   /** Whether all is well. */
-  bool print() const {
+  bool print() {
     bool well = failures_ == 0;
     for (std::size_t k = 0; k < kinds_.size(); ++k) {
       const Tally& t = tallies_[k];
@@ -70,6 +72,12 @@ class Driver {
         std::printf("  notices too few of the spoilt answers: 95 in 100 are wanted\n");
         well = false;
       }
+    }
+    for (auto& [name, values] : numbers_) {
+      const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+      std::ranges::nth_element(values, middle);
+      std::printf("%s: median %.3g of %zu\n", name.c_str(), *middle, values.size());
+      well = well && (values.size() < 50 || *middle <= most_median);
     }
     std::printf("%llu seeds, %lld failures\n", static_cast<unsigned long long>(wanted_.end - wanted_.first),
                 as_printed(failures_));
@@ -114,6 +122,7 @@ class Driver {
       ++tally.asked;
       const Verdict verdict = property->judge(c);
       ++(verdict == Verdict::held ? tally.held : tally.undecidable);
+      if (verdict == Verdict::held) property->measure(numbers_);
       Random random(seed, 400);
       if (verdict != Verdict::held || random.below(spoilt_every) != 0 || !property->spoil(c, random)) return;
       ++tally.spoilt;
@@ -132,6 +141,7 @@ class Driver {
   const Wanted wanted_;
   const std::vector<Kind> kinds_;
   std::vector<Tally> tallies_;
+  std::map<std::string, Field> numbers_;
   std::int64_t failures_ = 0;
 };
 
@@ -143,8 +153,8 @@ template <class Number> bool parse(std::string_view from, Number& to) {
 bool parse(int argc, char** argv, Wanted& wanted) {
   for (int i = 1; i < argc; ++i) {
     const std::string_view key = argv[i];
-    if (key == "--reduced" || key == "--slow") {
-      (key == "--slow" ? wanted.slow : wanted.reduced) = true;
+    if (key == "--reduced" || key == "--slow" || key == "--stop") {
+      (key == "--slow" ? wanted.slow : key == "--stop" ? wanted.stop : wanted.reduced) = true;
       continue;
     }
     if (++i == argc) return false;
@@ -170,7 +180,8 @@ int main(int argc, char** argv) {
   scenes::Wanted wanted;
   if (pairs::quick()) wanted.end = 200, wanted.reduced = true;
   if (!scenes::parse(argc, argv, wanted)) {
-    std::fprintf(stderr, "usage: %s [--seeds A:B] [--property NAME] [--pair SOLVER*BACKEND] [--reduced] [--slow]\n", argv[0]);
+    std::fprintf(stderr, "usage: %s [--seeds A:B] [--property NAME] [--pair SOLVER*BACKEND] [--reduced] [--slow] [--stop]\n",
+                 argv[0]);
     return 2;
   }
   scenes::Driver driver(wanted);
