@@ -186,9 +186,10 @@ int64_t rc_request_option_count(const rc_request* request) { return request ? st
 
 rc_status rc_request_option(const rc_request* request, int64_t index, const char** key, const char** text) {
   return rc::request::guard([&] {
+    if (!request) fail(RC_ERR_ARGUMENT, "request is null");
+    if (!key || !text) fail(RC_ERR_ARGUMENT, key ? "text is null" : "key is null");
     const std::int64_t count = rc_request_option_count(request);
     if (index < 0 || index >= count) fail(RC_ERR_ARGUMENT, "index = ", index, " is not below ", count);
-    if (!key || !text) fail(RC_ERR_ARGUMENT, key ? "text is null" : "key is null");
     const auto& [name, value] = request->options[static_cast<std::size_t>(index)];
     *key = name.c_str();
     *text = value.c_str();
