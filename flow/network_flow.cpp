@@ -38,15 +38,14 @@ Conductance conductance(const Grid& grid, Gap gap, const Wanted& wanted) {
   for (auto* each : {&gap.least, &gap.computed, &gap.most})
     for (double& g : *each) g /= highest;
 
-  const Paths possible = find_paths(grid, gap.most);
+  const Paths possible = find_paths(grid, gap.most, Find::cells);
   if (!possible.any()) return answer;
-  const bool exact = gap.most == gap.computed;
-  const Paths expected = exact ? Paths{} : find_paths(grid, gap.computed);
-  const Paths& of_gap = exact ? possible : expected;
+  const auto best = [&](const std::vector<double>& of) { return grid.cell ? Paths{} : find_paths(grid, of, Find::constriction); };
+  const Paths of_gap = best(gap.computed);
   answer.constriction = of_gap.constriction * highest;
   answer.place = of_gap.place;
 
-  const double narrowest = of_gap.constriction > 0 ? of_gap.constriction : possible.constriction;
+  const double narrowest = of_gap.constriction > 0 ? of_gap.constriction : best(gap.most).constriction;
   double floor = std::min(floor_of_highest, narrowest > 0 ? floor_of_constriction * narrowest : floor_of_highest);
   const std::size_t fields = grid.cell ? 2 : 1;
   std::vector<double> widened(gap.most.size()), kept(gap.most.size());

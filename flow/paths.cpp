@@ -39,7 +39,7 @@ class Search {
 
   // Always steps to the highest cell at the border of those reached (Prim): the tree has the widest paths, and the lowest step
   // until the outlet is the constriction.
-  void from_inlet() {
+  void from_inlet(bool until_outlet) {
     for (std::int64_t y = 0; y < grid_.ny; ++y) push(y * grid_.nx, Side::inlet);
     double lowest = infinity;
     std::int64_t place = outside;
@@ -49,11 +49,30 @@ class Search {
         lowest = next.gap;
         place = next.cell;
       }
-      if (arrived || next.cell % grid_.nx + 1 != grid_.nx) return;
+      if (arrived || next.cell % grid_.nx + 1 != grid_.nx) return true;
       arrived = true;
       found_.constriction = lowest;
       found_.place = place;
+      return !until_outlet;
     });
+    if (!until_outlet) keep_if_crossing();
+  }
+
+  // Reaches the same cells in any order.
+  void flood() {
+    const auto reach = [&](std::int64_t i, Side parent) {
+      const auto at = static_cast<std::size_t>(i);
+      if (!(gap_[at] > 0) || found_.on(i)) return;
+      found_.parent[at] = parent;
+      found_.order.push_back(static_cast<std::int32_t>(i));
+    };
+    for (std::int64_t y = 0; y < grid_.ny; ++y) reach(y * grid_.nx, Side::inlet);
+    for (std::size_t k = 0; k < found_.order.size(); ++k) {
+      if (k % 65536 == 0) stop_if_asked();
+      const std::int32_t i = found_.order[k];
+      for (const Side side : across_sides)
+        if (const std::int64_t other = neighbour(grid_, i, side); other != outside) reach(other, opposite(side));
+    }
     keep_if_crossing();
   }
 
@@ -66,10 +85,11 @@ class Search {
       push(i, Side::inlet);
       grow([&](const Frontier& next) {
         const auto at = static_cast<std::size_t>(next.cell);
-        if (next.parent == Side::inlet) return;
+        if (next.parent == Side::inlet) return true;
         const auto parent = static_cast<std::size_t>(neighbour(grid_, next.cell, next.parent));
         wound_x[at] = wound_x[parent] - winding_x(next.cell, next.parent);
         wound_y[at] = wound_y[parent] - winding_y(next.cell, next.parent);
+        return true;
       });
       bool along_x = false, along_y = false;
       for (std::size_t k = begin; k < found_.order.size(); ++k) {
@@ -104,6 +124,7 @@ class Search {
     if (gap_[at] > 0 && found_.parent[at] == Side::none) border_.push({gap_[at], static_cast<std::int32_t>(i), parent});
   }
 
+  // reached: of each cell; false ends it.
   template <class Reached> void grow(const Reached& reached) {
     for (std::size_t steps = 0; !border_.empty(); ++steps) {
       if (steps % 65536 == 0) stop_if_asked();
@@ -112,7 +133,7 @@ class Search {
       if (found_.on(next.cell)) continue;
       found_.parent[static_cast<std::size_t>(next.cell)] = next.parent;
       found_.order.push_back(next.cell);
-      reached(next);
+      if (!reached(next)) return;
       for (const Side side : across_sides)
         if (const std::int64_t other = neighbour(grid_, next.cell, side); other != outside) push(other, opposite(side));
     }
@@ -159,12 +180,14 @@ class Search {
 
 }  // namespace
 
-Paths find_paths(const Grid& grid, const std::vector<double>& gap) {
+Paths find_paths(const Grid& grid, const std::vector<double>& gap, Find what) {
   Search search(grid, gap);
   if (grid.cell)
     search.from_everywhere();
+  else if (what == Find::cells)
+    search.flood();
   else
-    search.from_inlet();
+    search.from_inlet(what == Find::constriction);
   return search.take();
 }
 

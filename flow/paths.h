@@ -18,7 +18,11 @@ struct Paths {
   bool on(std::int64_t i) const { return parent[static_cast<std::size_t>(i)] != Side::none; }
 };
 
+// What is looked for between inlet and outlet, which takes less time than all: the cells on paths, or the constriction and its
+// place.
+enum class Find { all, cells, constriction };
+
 // gap: of all cells, 0: closed.
-Paths find_paths(const Grid& grid, const std::vector<double>& gap);
+Paths find_paths(const Grid& grid, const std::vector<double>& gap, Find what = Find::all);
 
 }  // namespace rc::flow
