@@ -231,7 +231,7 @@ template <class R> struct Nearest {
 };
 
 // u of a box from the gap of a grid.
-template <class T> struct Compenetration {
+template <class T> struct Penetration {
   const T* gap;  // at the box's first cell
   double* u;
   double approach, length;

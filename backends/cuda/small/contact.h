@@ -117,7 +117,7 @@ template <class R> class SmallContact {
     const double length = c_.by_load ? height_of(load) : depth, unit = length / c_.length_per_pressure;
     if (!(length > 0) || !std::isfinite(length)) return;
     const double cap = c_.hardness / unit;
-    block_.each(n_, Compenetration<double>{gap_, m_.u, c_.by_load ? heights_.lowest : target, length, c_.nx, c_.nx});
+    block_.each(n_, Penetration<double>{gap_, m_.u, c_.by_load ? heights_.lowest : target, length, c_.nx, c_.nx});
     if (!pressed)
       begin(load / unit, cap);
     else
