@@ -366,6 +366,16 @@ void one_lie_among_many_is_found_by_chance(void**) {
   check_found("inside a part", [](std::int64_t) { return 29; });
 }
 
+// Residuals that are reported as more than half of tol are computed anew, of whichever contact: a false one is found in each
+// call.
+void residuals_near_tol_are_always_computed_anew(void**) {
+  constexpr std::int64_t n = 64;
+  const Scene of(RC_CONTROL_APPROACH, n, 1);
+  for (double rc_many_answer::*const residual : {&rc_many_answer::dual, &rc_many_answer::complementarity})
+    for (std::int64_t call = 0; call < 16; ++call)
+      assert_true(solved(of, [&](rc_many& m) { m.answers[(5 + 7 * call) % n].*residual = 0.9 * tol; }).refused());
+}
+
 // A solver whose answers are often wrong is found in its first call. Of up to 8 contacts all are checked; one is false here. Of
 // more every second one is false: a call passes with a probability of 1/256, more than 8 of 100 calls with one below 1e-8.
 void many_lies_among_few_are_found_at_once(void**) {
@@ -413,6 +423,7 @@ const std::vector<CMUnitTest> many_liar_tests = {
     cmocka_unit_test(no_pressure_above_the_hardness_is_taken),
     cmocka_unit_test(what_is_not_solved_hides_no_lie),
     cmocka_unit_test(one_lie_among_many_is_found_by_chance),
+    cmocka_unit_test(residuals_near_tol_are_always_computed_anew),
     cmocka_unit_test(many_lies_among_few_are_found_at_once),
     cmocka_unit_test(an_honest_call_of_many_is_taken),
     cmocka_unit_test(outputs_that_no_solver_of_many_gives_are_computed),
