@@ -68,7 +68,7 @@ class AsLaw final : public Property {
     if (!made) return "";
     info_ = RC_LAW_INFO_INIT;
     pairs::check(rc_law_describe(made, &info_) == RC_OK, rc_last_error());
-    mean_ = info_.bulk == RC_LAW_BULK_MEAN;
+    mean_ = spec.bulk == RC_LAW_BULK_AUTO && scene.halfspace() && !scene.periodic();
     for (int k = 0; k < 6; ++k) {
       const double compression = std::exp(random.uniform(std::log(first), std::log(last)));
       const auto truth = truth_at(c, compression);
@@ -82,6 +82,7 @@ class AsLaw final : public Property {
 
   Verdict judge(const Case& c) const override {
     need(law_ != nullptr, std::string(rc_status_name(status_)) + ": " + message_);
+    need(info_.bulk == (mean_ ? RC_LAW_BULK_MEAN : RC_LAW_BULK_NONE), "the overclosure is of another kind than the header says");
     need(info_.width <= tolerance_ || status_ != RC_OK, "the law is wider than asked for");
     for (std::size_t k = 0; k < truths_.size(); ++k) judge(truths_[k], said_[k], c);
     for (std::size_t k = 0; k < loaded_.size(); ++k) {
