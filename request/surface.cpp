@@ -1,4 +1,4 @@
-// The surface as it is pressed, in the order of docs/words.md: units, missing points, form, the other body, the nominal shape.
+// The surface as it is pressed, in this order: units, crop, missing points, spikes, form, the other body, the nominal shape.
 #include <roughcontact/formats.h>
 
 #include <algorithm>

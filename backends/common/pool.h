@@ -24,7 +24,7 @@ template <class T> class Pool {
   T take() {
     return take([](const T&) { return true; });
   }
-  // Without memory for the list it is dropped.
+  // Throws std::bad_alloc without memory for the list; the thing is then dropped.
   void give(T&& thing) {
     const std::lock_guard lock(mutex_);
     idle_.push_back(std::move(thing));

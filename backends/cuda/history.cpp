@@ -1,3 +1,4 @@
+// Pressures of the last two steps stay on the device as long as nothing else needs the memory.
 #include "history.h"
 
 #include <memory>

@@ -1,3 +1,4 @@
+// The short range of H is summed over neighbours, the smooth rest interpolated from a coarse grid, where it is a convolution.
 #include "product.h"
 
 #include <algorithm>

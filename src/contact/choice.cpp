@@ -24,8 +24,9 @@ constexpr double usual_products = 100;  // of a solver that does not say what it
 constexpr std::int64_t least_dilute_points = 512 * 512, least_dilute_of_period = 256 * 256;
 // The choice for sparse contact is made before the unknowns are known: it assumes at most this many.
 constexpr std::int64_t most_few = 1 << 24;
-constexpr double few_share = 0.05;  // of the grid's points: products that cost by the contact are cheaper below
-// If processes share products by rows, but not the unknowns, the unknowns must take each process less time than its rows.
+// Contact on at most this share of the grid's points counts as sparse: products that cost by the contact are then cheaper.
+constexpr double few_share = 0.05;
+// If processes share products by rows, each repeats the work on all unknowns, so that fewer points count as few.
 constexpr double few_share_by_rows = 0.01;
 constexpr std::int64_t most_few_by_rows = 1 << 17;
 

@@ -68,7 +68,8 @@ const rc_backend& certifying_backend(const std::string& name, const rc_options& 
 // solver for the others. Nothing if the options name others, or the grid is too small for that to pay. Of processes that share
 // a periodic grid by rows, the backend makes each product with them together.
 std::optional<Choice> choose_for_few(const GridProblem& problem, std::int32_t control);
-// Whether contacts this dense are still few. by_rows: every process has all of them, and makes a part of each product.
+// Whether so many points in contact count as sparse contact. by_rows: every process has all of them, and makes a part of each
+// product.
 bool are_few(std::int64_t contacts, std::int64_t points, bool by_rows);
 
 }  // namespace rc

@@ -48,7 +48,7 @@ constexpr double deformed_gap(double deflection, double compression, double heig
 // How deep a point is indented where the pressure is the hardness.
 constexpr double plastic_depth(double deflection, double compression, double height) { return compression - height - deflection; }
 
-// The scale s [length] of gaps; contact/target.cpp says why.
+// The scale s [length] of gaps; residual_scale in contact/proof/certificate.cpp says why.
 struct ScaleTerms {
   bool periodic, by_load;
   bool whole;          // every point may carry pressure

@@ -45,7 +45,7 @@ struct Measured {
   }
 };
 
-// (z, q), and the level of w that the trees found, which one cell alone brings along.
+// (z, q), and the level of w that the trees found: one cell sets it, and it is 0 in all others, so that the sum is it.
 struct Preconditioned {
   double overlap = 0, level = 0;
   RC_ANYWHERE void add(const Preconditioned& other) {

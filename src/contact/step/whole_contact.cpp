@@ -21,10 +21,11 @@ namespace {
 constexpr int most_widenings = 8;    // of enlarging the trial set
 constexpr int most_approaches = 80;  // of the iteration on the approach
 constexpr double growth = 1.2;
-constexpr double warm_margin = 1.02;  // of the last step's approach, in proportion to the load
-constexpr double near_load = 1.1;     // ratio of two loads up to which that is all that is needed
-constexpr double spare = 1.02;        // the hardness on all points of the trial set, over the load, at least
+constexpr double warm_margin = 1.02;  // factor of the last step's compression, times the ratio of the loads
+constexpr double near_load = 1.1;     // up to this ratio of the loads that estimate is used without another
+constexpr double spare = 1.02;        // points of the trial set times the hardness, over the load, at least
 constexpr double farthest_load = 4;   // ratio of two loads above which the one's pressures are no help for the other
+constexpr double half_way = 0.5;      // of the missing load: with a cap a step that leaves more is followed by bisection
 
 // The compression that the trial set must allow. A cold step takes that of a bed of springs, a warm one also the last compression
 // times the ratio of loads: the load is convex in the approach, as long as no plastic indentation raises the lowest gap. It may
@@ -45,8 +46,8 @@ TrialSet trial_below(double limit, const GridProblem& problem) {
 }
 
 // Newton's method on the load, which is a continuous, increasing, piecewise linear function of the approach; its slope is that of
-// the points at hand whose pressure is free. Steps outside the bracket are replaced by bisection and, if a cap keeps the load
-// from being convex, those after one that left more than half of the missing load, too. All in dimensionless units; the
+// the points at hand whose pressure is free. A step is replaced by bisection if it leaves the bracket. With a cap the load is not
+// convex: then it is bisected also after a step that left more than half of the missing load. All in dimensionless units; the
 // operator's zero mode adds `shift` to the approach, which is taken out of the answer.
 rc_status balance_load(Answer& answer, double load, double shift, double first, const GridProblem& problem,
                        const Attempt& attempt) {
@@ -90,7 +91,7 @@ rc_status balance_load(Answer& answer, double load, double shift, double first, 
     for (const double value : rate) slope += value;
     double next = d + (load - sum) / slope;
     if (next == d) return solved;  // as near as double precision comes; the certificate decides
-    const bool slow = cap < infinite && high < infinite && std::abs(load - sum) > 0.5 * missing;
+    const bool slow = cap < infinite && high < infinite && std::abs(load - sum) > half_way * missing;
     missing = std::abs(load - sum);
     if (slow || !(next > low && next < high)) next = high < infinite ? 0.5 * (low + high) : std::max(2 * d, 1.0);
     for (std::size_t i = 0; i < contact.size(); ++i) {
