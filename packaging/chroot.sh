@@ -22,7 +22,7 @@ inside roughcontact --version
 inside roughcontact generate spectral --output /tmp/surface.npy --size 64 --rms-slope 0.1 >/dev/null
 solve() {  # the table of steps, which names the backend
   inside rm -rf /tmp/run
-  inside roughcontact solve /tmp/surface.npy --pitch 1 --modulus 1 --pressure 0.005 --out /tmp/run --no-maps --quiet "$@" 2>&1 && inside cat /tmp/run/steps.csv
+  inside roughcontact solve /tmp/surface.npy --pitch 1 --unit m --modulus 1 --pressure 0.005 --out /tmp/run --no-maps --quiet "$@" 2>&1 && inside cat /tmp/run/steps.csv
 }
 [[ $(solve --backend fft) == *RC_OK*",fft,"* ]] || fail "the command without more plugins: $(solve --backend fft)"
 [[ $(solve --backend split || true) == *"not installed"* ]] || fail "split without its package: $(solve --backend split || true)"

@@ -60,7 +60,7 @@ def main():
                 found[name] = out.read_bytes()
             if arguments:
                 tool = str(pathlib.Path(arguments[0]).resolve())
-                subprocess.run([tool, 'solve', 'heights.npy', '--pitch', PITCH, '--modulus', MODULUS, '--boundary', 'free', '--approach',
+                subprocess.run([tool, 'solve', 'heights.npy', '--pitch', PITCH, '--unit', 'm', '--modulus', MODULUS, '--boundary', 'free', '--approach',
                                 approach, '--out', 'results', '--quiet'], check=True, cwd=folder)
                 found['command line'] = values_of_npy(folder / 'results' / 'pressure-1.npy')
             (first, expected), *others = found.items()
