@@ -18,7 +18,7 @@ struct Paths {
   bool on(std::int64_t i) const { return parent[static_cast<std::size_t>(i)] != Side::none; }
 };
 
-// What is looked for between inlet and outlet, which takes less time than all: the cells on paths, or the constriction and its
+// Parts of the answer, which take less time than all of it: the cells on paths from inlet to outlet, or the constriction and its
 // place.
 enum class Find { all, cells, constriction };
 

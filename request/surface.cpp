@@ -179,7 +179,7 @@ void add_other(const Words& words, const Units& units, std::string_view word, Ma
   for (std::size_t i = 0; i < z.size(); ++i) z[i] += other.z[i % (static_cast<std::size_t>(other.nx * other.ny))];
 }
 
-// Of pictures [m]; 0: not given.
+// The height between the smallest and the largest value of a picture [m]; 0: not given.
 double height_range(const Words& words, Units& units) {
   const Given* const given = words.find("height-range");
   if (!given) return 0;

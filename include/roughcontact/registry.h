@@ -26,7 +26,7 @@ typedef struct rc_context_config {
 } rc_context_config;
 #define RC_CONTEXT_CONFIG_INIT RC_BEGIN(rc_context_config)
 
-/* What a context lists. */
+/* Kinds of components that a context lists. */
 enum { RC_COMPONENT_SOLVER = 1, RC_COMPONENT_BACKEND = 2, RC_COMPONENT_KERNEL = 3, RC_COMPONENT_OPTION = 4 };
 enum { RC_TYPE_INT = 1, RC_TYPE_REAL = 2, RC_TYPE_TEXT = 3 };
 /** A component, or an option, which has the members from default_value on. Strings live as long as the context. */

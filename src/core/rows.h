@@ -28,7 +28,7 @@ class Rows {
   std::int64_t all(std::int64_t ny) const { return ranks_ ? ranks_->all_rows() : ny; }
 
   int halvings() const { return ranks_ ? ranks_->halvings() : 0; }  // how often shared rows can be halved
-  // Of shared rows: act(first row, end) for those of each rank, in their order.
+  // act(first row, end) for the rows of each rank, in their order; nothing if rows are not shared.
   template <class Act> void each_share(const Act& act) const {
     for (std::int64_t rank = 0; ranks_ && rank < ranks_->size(); ++rank) {
       const auto k = static_cast<std::size_t>(rank);
@@ -46,7 +46,7 @@ class Rows {
   template <class Value> std::vector<Value> of_each(const Value& mine) const {
     return ranks_ ? ranks_->of_each(mine) : std::vector<Value>{mine};
   }
-  // Of shared rows: those of all ranks, [all rows * columns], from this rank's.
+  // The rows of all ranks, [all rows * columns], from this rank's; nothing if rows are not shared.
   template <class Value> void gather(const Value* mine, std::int64_t columns, Value* all) const {
     if (ranks_) ranks_->gather_rows(mine, columns, all);
   }

@@ -29,7 +29,7 @@ struct TrialSet {
 class Operator {
  public:
   // `options`, `team`, `rows` and the context's host must outlive it. The product is divided by `scale` [length per pressure].
-  // Of shared rows, vectors are of every point of this rank's rows.
+  // If rows are shared, vectors have every point of this rank's rows.
   Operator(const rc_backend& backend, const rc_host& host, const rc_system& system, const std::string& kernel,
            const rc_options& options, const rc_team& team, double scale, const Rows& rows = {});
   // An operator for ranks that all have the same trial set and vectors; they make each product together. rows: bound to every

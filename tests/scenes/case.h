@@ -34,7 +34,7 @@ class Case {
   const Influence& h() const { return h_; }
   const rc_system& system() const { return system_; }
   const pairs::Pair& pair() const { return pair_; }
-  /** What names the case to who reads a failure. */
+  /** The name of the case in a message of failure. */
   std::string words() const { return scene_.words + ", " + pair_.name(); }
 
   pairs::Options options(const pairs::Settings& changed = {}) const;

@@ -50,7 +50,7 @@ class Region {
     members_.erase(std::unique(members_.begin(), members_.end()), members_.end());
     return members_.size() > before;
   }
-  // Of tiles, the points with a gap below the limit.
+  // The members, or by tiles the points with a gap below the limit.
   TrialSet below(double limit) const {
     if (!of_tiles_) return {static_cast<std::int64_t>(members_.size()), members_};
     TrialSet trial;

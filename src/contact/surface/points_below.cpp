@@ -45,7 +45,7 @@ std::vector<Extent> extents_below(double limit, const StepSurface& surface) {
   return rows;
 }
 
-// Of all processes.
+// The extent over all processes.
 Extent united(const std::vector<Extent>& tile_rows, const Rows& rows) {
   Extent extent;
   for (const Extent& row : tile_rows) extent = extent + row;

@@ -79,7 +79,7 @@ class StepSurface {
 
   // The points with gap < limit in one row of this process's tiles, row by row: act(point, x, y).
   template <class Act> void each_below(double limit, std::int64_t tile_row, const Act& act) const;
-  // Those of one tile, which is held: act(point).
+  // The points with gap < limit of one tile, which this process has: act(point).
   template <class Act> void each_below_in(std::int64_t tile, double limit, const Act& act) const {
     tiles_.each_point(tile, [&](std::int64_t point) {
       if (const auto i = static_cast<std::size_t>(point); included(i) && gap_at(i) < limit) act(point);
