@@ -126,10 +126,10 @@ class Leaks final : public Property {
   std::string message_;
 };
 
-constexpr std::array kinds{Kind{"leaks", 2, 0, 0.3, 0.1, made<Leaks>}};
+constexpr std::array kinds_of_flows{Kind{"leaks", 2, 0, 0.3, 0.1, made<Leaks>}};
 
 }  // namespace
 
-std::span<const Kind> properties_of_flows() { return kinds; }
+std::span<const Kind> properties_of_flows() { return kinds_of_flows; }
 
 }  // namespace scenes

@@ -1,7 +1,5 @@
 #include "kernel/layer/remainder.h"
 
-#include <math.h>  // j0
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -102,6 +100,32 @@ void Remainder::tabulate(double farthest_rho, double last_moment) {
   }
 }
 
+Remainder::BesselJ0::BesselJ0() {
+  for (std::size_t k = 0; k < sine_.size(); ++k)
+    sine_[k] = std::sin(std::numbers::pi * (static_cast<double>(k) + 0.5) / static_cast<double>(2 * sine_.size()));
+}
+
+// The trapezium rule of cos(z sin t) over t is off by 2 J64(z) + ..., the asymptotic series by its first term left out.
+double Remainder::BesselJ0::operator()(double z) const {
+  constexpr double far = 25, least = 1e-18;
+  if (z < far) {
+    double mean = 0;
+    for (const double sine : sine_) mean += std::cos(z * sine);
+    return mean / static_cast<double>(sine_.size());
+  }
+  double even = 1, odd = 0, term = 1;
+  for (int k = 1; std::abs(term) > least; ++k) {
+    term *= (2.0 * k - 1) * (2.0 * k - 1) / (8 * k * z);
+    const double signed_term = k / 2 % 2 == 0 ? term : -term;
+    if (k % 2 == 0)
+      even += signed_term;
+    else
+      odd -= signed_term;
+  }
+  const double phase = z - std::numbers::pi / 4;
+  return std::sqrt(2 / (std::numbers::pi * z)) * (even * std::cos(phase) - odd * std::sin(phase));
+}
+
 void Remainder::Oscillating::prepare(const Response& response, double largest) {
   s_.clear();
   weighted_.clear();
@@ -121,7 +145,7 @@ void Remainder::Oscillating::prepare(const Response& response, double largest) {
 
 double Remainder::Oscillating::operator()(double rho) const {
   double total = 0;
-  for (std::size_t i = 0; i < s_.size(); ++i) total += weighted_[i] * ::j0(s_[i] * rho);
+  for (std::size_t i = 0; i < s_.size(); ++i) total += weighted_[i] * bessel_(s_[i] * rho);
   return total;
 }
 

@@ -30,6 +30,14 @@ class Remainder {
     std::array<Polynomial, 3> moment;
   };
 
+  class BesselJ0 {
+   public:
+    BesselJ0();
+    double operator()(double z) const;  // z >= 0, to round-off
+
+   private:
+    std::array<double, 16> sine_;
+  };
   // T by quadrature over s, for rho up to a largest one.
   class Oscillating {
    public:
@@ -37,6 +45,7 @@ class Remainder {
     double operator()(double rho) const;
 
    private:
+    BesselJ0 bessel_;
     std::vector<double> s_, weighted_;  // nodes, and weight times f - E2*/E1* there
   };
   // T for rho from 40 times 1/reach() on, by turning the path of s to the imaginary axis:
