@@ -26,8 +26,6 @@ std::vector<double> scaled(std::vector<double> p, const AnswerUnits& units) {
 
 }  // namespace
 
-const Memory Start::nothing{};
-
 Start::Start(const Memory& memory, const Step& step)
     : memory_(&memory),
       given_(step.p0),
@@ -68,7 +66,7 @@ std::vector<double> Start::pressures(const TrialSet& trial, const AnswerUnits& u
 
 KeptSteps Start::kept() const {
   const bool from_last = !given() && !last().pressures.empty();
-  return {from_last ? last().kept : KeptAnswer{}, memory_->before.kept, ahead_, {}};
+  return {from_last ? last().kept : KeptAnswer{}, memory_ ? memory_->before.kept : KeptAnswer{}, ahead_, {}};
 }
 
 std::vector<double> Start::earlier(const TrialSet& trial) const {

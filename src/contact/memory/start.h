@@ -22,9 +22,10 @@ class Start {
 
   bool given() const { return given_.data != nullptr; }  // by the step
   // The last two certified steps; empty if the step may not start from them.
-  const CertifiedStep& last() const { return of_earlier().last; }
-  const CertifiedStep& before() const { return of_earlier().before; }
-  bool indented() const { return memory_->indented; }  // the surface has a plastic indentation, of these steps or earlier ones
+  const CertifiedStep& last() const { return warm_ ? memory_->last : none_; }
+  const CertifiedStep& before() const { return warm_ ? memory_->before : none_; }
+  // Whether the surface has a plastic indentation, of these steps or earlier ones.
+  bool indented() const { return memory_ && memory_->indented; }
   // How far beyond the last step the new target lies, in units of the last step's change; 0 if no extrapolation is possible.
   double ahead() const { return ahead_; }
 
@@ -38,11 +39,8 @@ class Start {
   std::vector<double> earlier(const TrialSet& trial) const;
 
  private:
-  static const Memory nothing;
-
-  const Memory& of_earlier() const { return warm_ ? *memory_ : nothing; }
-
-  const Memory* memory_ = &nothing;
+  const Memory* memory_ = nullptr;  // null: no step
+  CertifiedStep none_;
   rc_const_array given_ = {};
   bool warm_ = false;
   double ahead_ = 0;
