@@ -1,4 +1,4 @@
-// What is judged of one step's answer.
+// Judges the answer of one step.
 #include <algorithm>
 #include <cmath>
 #include <limits>

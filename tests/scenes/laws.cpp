@@ -20,7 +20,7 @@ struct DestroyLaw {
 };
 using LawHandle = std::unique_ptr<rc_law, DestroyLaw>;
 
-// What a law describes, at one approach.
+// The quantities of a law at one approach.
 struct LawTruth {
   Real x = 0, p = 0, slope = 0, area = 0, area_possible = 0;
   Real error = 0;       // of p, relative

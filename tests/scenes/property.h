@@ -1,5 +1,5 @@
-// What must hold of every scene. A property asks the library, keeps its answers, and judges them. Its spoiler changes the answers
-// by as little as the property must notice: properties that notice nothing are found by the spoilt answers.
+// Properties that hold in every scene. A property asks the library, keeps its answers, and judges them. Its spoiler changes the
+// answers by as little as the property must notice: properties that notice nothing are found by the spoilt answers.
 #pragma once
 
 #include <map>

@@ -9,7 +9,7 @@ namespace scenes {
 
 namespace {
 
-// What is kept is a copy of the scene's answers.
+// Keeps a copy of the scene's answers.
 class OfSteps : public Property {
  public:
   std::string ask(const Case& c) override {
@@ -133,7 +133,7 @@ class AsOracle final : public OfSteps {
   }
 };
 
-// Plain sums over all pressures, at points that are drawn after the answer exists; there the gap is certified, too.
+// Plain sums over all pressures, at points that are drawn after the answer exists; the gap is certified at these points as well.
 class Gap final : public OfSteps {
  public:
   Verdict judge(const Case& c) const override {

@@ -8,7 +8,7 @@
 
 namespace cli {
 
-// Of the word leak. None if a signal ended it; throws an Error if it fails.
+// The leak that the word leak asks for. None if a signal ended it; throws an Error if it fails.
 std::optional<rc_flow_result> leak_of_step(const Problem& problem, const rc_options* options, const rc_result& result);
 
 // "leak along x 7.87e-18 m^3/s, exact at this approach: 7.86e-18 .. 7.88e-18; ..."

@@ -260,8 +260,8 @@ double Remainder::by_angles(double x, double y) const {
   return mean;
 }
 
-// The integral of T (1 - |X - x|/hx)/hx (1 - |Y - y|/hy)/hy for X between x and x + side, and Y likewise: radii between the sides
-// of the rectangle, by the moments of T, and angles between its corners.
+// The integral of T (1 - |X - x|/hx)/hx (1 - |Y - y|/hy)/hy over a rectangle from (x, y) to one
+// of the four corners of the tents: along radii by the moments of T, over angles between the corners by Gauss.
 double Remainder::over_rectangle(Side x, Side y) const {
   const Density gauss = box(1);
   std::array<double, 4> corner;

@@ -41,7 +41,7 @@ MAY_NOT = 'rc_options_copy rc_contact_set_options rc_request_options'  # be with
 TEXTS = {'key': b'tol', 'solver': b'nnls', 'inner': b'nnls', 'backend': b'dense', 'kernel': b'love', 'name': b'nm', 'text': b'0.01'}
 NUMBERS = {'tol': 0.01, 'rank': 0, 'index': 0}
 HANDLES = {}
-# What one rank exchanges with itself.
+# The exchange of a single rank.
 GATHER = ctypes.CFUNCTYPE(ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ctypes.c_int64), ctypes.c_void_p)
 MOVE = ctypes.CFUNCTYPE(ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ctypes.c_int64), ctypes.c_void_p, ctypes.c_void_p)
 ALONE = {

@@ -253,7 +253,7 @@ void what_it_promises_holds(void**) {
     }
 }
 
-// Those of layer_reference.py; errors count over the largest coefficient.
+// Coefficients of layer_reference.py; errors are divided by the largest coefficient.
 void coefficients_are_those_of_the_reference(void**) {
   std::ifstream file(RC_LAYER_REFERENCE);
   std::string line;
