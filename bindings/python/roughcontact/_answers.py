@@ -6,7 +6,7 @@ import importlib
 import io
 import json
 import os
-from typing import Any, ClassVar, Dict, Optional, Tuple, Type
+from typing import Any, ClassVar, Dict, Optional, Tuple, Type, TypeVar
 
 import numpy as np
 
@@ -43,6 +43,9 @@ def _plain(value: Any) -> Any:
     return value
 
 
+A = TypeVar("A", bound="Answer")
+
+
 class Answer(Stored):
     """See `Result`, `HistoryResult`, `BatchResult`.
 
@@ -50,6 +53,12 @@ class Answer(Stored):
     """
 
     steps: ClassVar[Tuple[str, ...]] = ()
+
+    def _with(self: A, **members: Any) -> A:
+        """A copy with other members; dataclasses.replace would set all of them one by one."""
+        copy = object.__new__(type(self))
+        vars(copy).update(vars(self), **members)
+        return copy
 
     def _counts(self) -> Tuple[int, ...]:
         return ()

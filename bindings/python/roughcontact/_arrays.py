@@ -15,6 +15,7 @@ from ._errors import ArgumentError, RoughContactError, ShapeError
 from ._structs import rc_array, rc_const_array
 
 _KINDS = {"float64": doubles, "float32": singles, "int64": integers, "int32": statuses, "uint8": bytes_}
+_SINGLE = (np.dtype(np.float32), "float32")  # as NumPy and as arrays on a device say it
 _POINTERS = {np.dtype(name): ctype(kind) for name, kind in _KINDS.items()}
 Doubles = NDArray[np.float64]
 Reals = Union[Doubles, NDArray[np.float32]]
@@ -72,15 +73,18 @@ def as_doubles(values: ArrayLike, name: str, shape: Optional[Shape] = None) -> D
 
 def as_reals(values: ArrayLike, name: str, shape: Optional[Shape], single: bool) -> Any:
     """values as a C-ordered array of doubles, or of float32; the same memory if they are one already. From a device: a copy."""
-    array, absent = _numbers(values, name)
-    if absent is not None:
-        raise ArgumentError(
-            f"{name} is a masked array with {int(absent.sum())} masked values: pass mask=, which "
-            "is 0 where a point takes no part, or heights with missing='exclude'"
-        )
-    if array.dtype.kind not in "fiub":
-        raise TypeError(f"{name} holds {array.dtype}; real numbers are needed")
-    array = np.require(array, np.float32 if single else np.float64, ["C", "A"]).reshape(array.shape)
+    if type(values) is np.ndarray and values.dtype == (np.float32 if single else np.float64) and values.flags.carray:
+        array: Any = values  # most callers': no question need be asked
+    else:
+        array, absent = _numbers(values, name)
+        if absent is not None:
+            raise ArgumentError(
+                f"{name} is a masked array with {int(absent.sum())} masked values: pass mask=, which "
+                "is 0 where a point takes no part, or heights with missing='exclude'"
+            )
+        if array.dtype.kind not in "fiub":
+            raise TypeError(f"{name} holds {array.dtype}; real numbers are needed")
+        array = np.require(array, np.float32 if single else np.float64, ["C", "A"]).reshape(array.shape)
     if shape is not None and array.shape != shape:
         raise ShapeError(f"{name} has shape {array.shape}, the grid {shape}")
     return array
@@ -177,7 +181,7 @@ def _describe(array: A, values: Any) -> A:
     if values is None:
         return array
     array.kept = values
-    array.type = RC_SINGLE if np.dtype(values.dtype) == np.float32 else RC_NATIVE
+    array.type = RC_SINGLE if values.dtype in _SINGLE else RC_NATIVE
     if isinstance(values, DeviceArray):
         array.data, array.memory = values.address, values.memory
     else:
@@ -199,9 +203,12 @@ def given(members: S, **values: Any) -> S:
     """Sets members of a struct, of arrays to their address; those that are None stay as they are. The struct keeps the arrays."""
     members.kept = (members.kept, values)
     for name, value in values.items():
-        member = getattr(members, name)
-        if isinstance(member, (rc_array, rc_const_array)):
-            _describe(member, value)
+        if isinstance(value, (np.ndarray, DeviceArray)):
+            member: Any = getattr(members, name)
+            if isinstance(member, (rc_array, rc_const_array)):
+                _describe(member, value)
+            else:
+                setattr(members, name, pointer(value))  # type: ignore[arg-type]
         elif value is not None:
-            setattr(members, name, pointer(value) if isinstance(value, np.ndarray) else value)
+            setattr(members, name, value)
     return members

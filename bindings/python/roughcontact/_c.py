@@ -6,6 +6,7 @@ import dataclasses
 import functools
 import sys
 from ctypes import POINTER
+from struct import Struct
 from typing import Annotated, Any, ClassVar, Dict, Iterator, List, Tuple, Type, TypeVar, get_args
 
 double = Annotated[float, ctypes.c_double]
@@ -57,6 +58,7 @@ class Sized(ctypes.Structure):
 
 
 S = TypeVar("S", bound=Sized)
+_CODES = {ctypes.c_double: "d", ctypes.c_int32: "i", ctypes.c_int64: "q", ctypes.c_uint32: "I", ctypes.c_uint64: "Q"}
 
 
 def struct(cls: Type[S]) -> Type[S]:
@@ -84,17 +86,24 @@ def prototypes(functions: type) -> Iterator[Tuple[str, Any, List[Any]]]:
 
 def members_for(cls: type, members: Sized) -> Dict[str, Any]:
     """The members whose names the fields of a dataclass have, with texts decoded."""
-    names, texts = _shared_names(cls, type(members))
-    found = {name: getattr(members, name) for name in names}
-    for name in texts:
-        if found[name] is not None:
-            found[name] = found[name].decode(errors="replace")
+    names, numbers, others = _shared_names(cls, type(members))
+    found = dict(zip(names, numbers.unpack_from(members)))
+    for name in others:
+        value = getattr(members, name)
+        found[name] = value.decode(errors="replace") if isinstance(value, bytes) else value
     return found
 
 
 @functools.lru_cache(maxsize=None)
-def _shared_names(cls: type, struct: Type[Sized]) -> Tuple[Tuple[str, ...], Tuple[str, ...]]:
-    """(all, texts)"""
-    kinds = {field[0]: field[1] for field in struct._fields_}
-    names = tuple(each.name for each in dataclasses.fields(cls) if hasattr(struct, each.name))
-    return names, tuple(name for name in names if kinds[name] is ctypes.c_char_p or getattr(kinds[name], "_type_", None) is ctypes.c_char)
+def _shared_names(cls: type, struct: Type[Sized]) -> Tuple[Tuple[str, ...], Struct, Tuple[str, ...]]:
+    """(numbers, how they lie in the struct, the others)"""
+    shared = {each.name for each in dataclasses.fields(cls)}
+    names, form, end, others = [], "=", 0, []
+    for name, kind, *_ in struct._fields_:
+        if name in shared and kind in _CODES:
+            at = getattr(struct, name).offset
+            form, end = f"{form}{at - end}x{_CODES[kind]}", at + ctypes.sizeof(kind)
+            names.append(name)
+        elif name in shared:
+            others.append(name)
+    return tuple(names), Struct(form), tuple(others)

@@ -36,15 +36,18 @@ class Library(NamedTuple):
     last_message: Callable[[], str]
 
 
+@functools.lru_cache(maxsize=None)
 def contact_calls() -> Library:
     return Library(contact_library().rc_stop_when, last_message)
 
 
+@functools.lru_cache(maxsize=None)
 def surface_calls() -> Library:
     library = surface_library()
     return Library(library.rc_surface_stop_when, lambda: str(library.rc_surface_last_error().decode(errors="replace")))
 
 
+@functools.lru_cache(maxsize=None)
 def flow_calls() -> Library:
     library = flow_library()
     return Library(library.rc_flow_stop_when, lambda: str(library.rc_flow_last_error().decode(errors="replace")))

@@ -2,9 +2,9 @@
 
 import ctypes
 import weakref
-from contextlib import contextmanager, nullcontext
+from contextlib import nullcontext
 from dataclasses import dataclass
-from typing import Any, Callable, ContextManager, Dict, Iterator, List, Optional, Tuple, TypeVar, Union
+from typing import Any, Callable, ContextManager, Dict, List, Optional, Tuple, TypeVar, Union
 
 from ._arrays import Mask, Reals, as_int
 from ._c import members_for
@@ -58,6 +58,7 @@ class Handle(OwnsHandle):
         self._options: Dict[str, Any] = {}
         self._borrowed: List[Any] = []  # arrays that the library may still look at
         self._mask: Optional[Mask] = None
+        self._grid: Optional[Grid] = None
         struct, self._product = system.struct()
         self._handle = ctypes.c_void_p()
         with OptionSet(options, context) as handle:
@@ -67,7 +68,7 @@ class Handle(OwnsHandle):
             check(status)
         self._close = weakref.finalize(self, library.rc_contact_destroy, self._handle)
         self._close.atexit = False  # another thread might be solving then
-        self._use = Use(self._close)
+        self._use = Use(self._handle, self._close)
         self._options.update(options or {})
         self._callbacks = Callbacks()
         self._bars = Bars() if progress is True else None
@@ -94,16 +95,12 @@ class Handle(OwnsHandle):
         else:
             self._use.close()  # a call that a signal handler's exceptions got out of closes it when it ends
 
-    @contextmanager
-    def _holding(self) -> Iterator[ctypes.c_void_p]:
-        with self._use.by_caller():
-            yield self._handle
+    def _holding(self) -> ContextManager[ctypes.c_void_p]:
+        return self._use
 
-    @contextmanager
-    def _holding_or_inside(self) -> Iterator[ctypes.c_void_p]:
+    def _holding_or_inside(self) -> ContextManager[ctypes.c_void_p]:
         """As `_holding`, also inside a function that sees the steps of this contact's history."""
-        with self._use.by_caller_or_callback():
-            yield self._handle
+        return self._use.by_caller_or_callback()
 
     def _bar(self, unit: str, total: Optional[int] = None, done: Optional[Callable[[], int]] = None) -> ContextManager[None]:
         """Over a call, where bars are asked for."""
@@ -111,21 +108,14 @@ class Handle(OwnsHandle):
 
     def grid(self) -> Grid:
         """Shape, pitch, mask and modulus of what was pressed last."""
-        system = self.system
-        return Grid(system.shape, system.pitch, system.periodic, self._mask, system.modulus, system.hardness)
+        if self._grid is None or self._grid.mask is not self._mask:
+            system = self.system
+            self._grid = Grid(system.shape, system.pitch, system.periodic, self._mask, system.modulus, system.hardness)
+        return self._grid
 
-    @contextmanager
-    def _pressing(self, undeformed_gap: Optional[Reals], mask: Optional[Mask]) -> Iterator[None]:
-        """Follows which mask the library has: a step that it refuses changes nothing."""
-        before = self._mask
-        if undeformed_gap is not None or mask is not None:
-            self._mask = mask
-        try:
-            yield
-        except (ArgumentError, ShapeError, InfeasibleError) as error:
-            if error.result is None or error.result.completed == 0:
-                self._mask = before
-            raise
+    def _pressing(self, undeformed_gap: Optional[Reals], mask: Optional[Mask]) -> ContextManager[None]:
+        """Over a call with these."""
+        return _Pressing(self, mask) if undeformed_gap is not None or mask is not None else nullcontext()
 
     def _run(self, call: Callable[[], int], keep: Any) -> Tuple[int, str, Optional[BaseException]]:
         """(status, message, interrupt) of a call that uses this contact."""
@@ -138,6 +128,22 @@ class Handle(OwnsHandle):
     def cancel(self) -> None:
         """Stops the running step soon, or the next one if none runs. Any thread."""
         self._use.while_alive(lambda: contact_library().rc_contact_cancel(self._handle))
+
+
+class _Pressing:
+    """Follows which mask the library has: a step that it refuses changes nothing."""
+
+    def __init__(self, contact: Handle, mask: Optional[Mask]) -> None:
+        self._contact, self._before = contact, contact._mask
+        contact._mask = mask
+
+    def __enter__(self) -> None:
+        pass
+
+    def __exit__(self, _: Any, error: Any, __: Any) -> None:
+        if isinstance(error, (ArgumentError, ShapeError, InfeasibleError)):
+            if error.result is None or error.result.completed == 0:
+                self._contact._mask = self._before
 
 
 def _shown_on(bars: Bars) -> Callable[[Progress], object]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Any, Callable, List, Optional
 
 import numpy as np
@@ -54,7 +53,7 @@ def history_on(
         if pressures is not None:
             pressures[step] = pressure
         alone = result_from(found, "", grid, None, None)
-        results.append(replace(alone, measures=measures_of(pressure, grid)))
+        results.append(alone._with(measures=measures_of(pressure, grid)))
         if each is None:
             return False
         with contact._use.answering():

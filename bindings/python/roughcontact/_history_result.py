@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, Dict, Iterator, List, Optional, Tuple, Union, overload
 
 import numpy as np
@@ -89,7 +89,7 @@ class HistoryResult(Answer):
         if isinstance(index, slice):
             return [self[k] for k in range(len(self))[index]]
         at = range(len(self))[index]
-        return self.results[at] if self.pressure is None else replace(self.results[at], pressure=self.pressure[at])
+        return self.results[at] if self.pressure is None else self.results[at]._with(pressure=self.pressure[at])
 
     def __iter__(self) -> Iterator[Result]:
         return (self[k] for k in range(len(self)))

@@ -42,7 +42,7 @@ class Influence(OwnsHandle):
             check(status)
         self._close = weakref.finalize(self, library.rc_product_destroy, self._handle)
         self._close.atexit = False
-        self._use = Use(self._close)
+        self._use = Use(self._handle, self._close)
 
     @property
     def shape(self) -> Tuple[int, int]:
@@ -73,7 +73,7 @@ class Influence(OwnsHandle):
     def _apply(self, p: Doubles, u: Doubles) -> None:
         one = np.ascontiguousarray(p)
         answer = u if u.flags.c_contiguous else np.empty_like(one)
-        with self._use.by_caller():
+        with self._use:
             status = contact_library().rc_product_apply(self._handle, array_in(one), array_out(answer))
             self._product.raise_first()
             check(status)

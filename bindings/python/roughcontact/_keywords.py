@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import difflib
+import functools
 import inspect
 import textwrap
 from typing import Any, Callable, Dict, Mapping, Optional, Tuple, TypeVar
 
 from ._errors import ArgumentError
 from ._words import HELP
-from .context import Context, Options, options as all_options
+from .context import Context, Options, option_count, options as all_options
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -24,6 +25,17 @@ _SAME = {
 }
 
 
+def _keys(context: Optional[Context]) -> Dict[str, str]:
+    """Keys of options by their keywords."""
+    return {spec.key.replace(".", "_").replace("-", "_"): spec.key for spec in all_options(context)}
+
+
+@functools.lru_cache(maxsize=1)
+def _default_keys(_: int) -> Dict[str, str]:
+    """Those of the default context, as long as it has the same number of options."""
+    return _keys(None)
+
+
 def options_of(
     function: Callable[..., Any], given: Options, keywords: Mapping[str, Any], context: Optional[Context]
 ) -> Options:
@@ -34,7 +46,7 @@ def options_of(
     chosen: Dict[str, Any] = dict(given or {})
     if not keywords:
         return given
-    keys = {spec.key.replace(".", "_").replace("-", "_"): spec.key for spec in all_options(context)}
+    keys = _keys(context) if context else _default_keys(option_count())
     for name, value in keywords.items():
         if name not in keys:
             known = [*inspect.signature(function).parameters, *HELP, *keys]

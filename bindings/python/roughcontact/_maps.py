@@ -99,7 +99,8 @@ def _without_missing(values: Any, mask: Optional[ArrayLike], missing: str, leadi
 
 def gap_in_metres(gap: Any, unit: Optional[str] = None) -> Any:
     """An undeformed gap as it is if its unit is not known. On a device it stays there."""
-    metres = bare_metres(unit, (described(gap) or Described(None, None, None, None)).unit)
+    says = described(gap)
+    metres = bare_metres(unit, says.unit if says else None)
     if metres == 1:
         return gap
     return gap * metres if device_array(gap, "undeformed_gap") is not None else as_doubles(gap, "undeformed_gap") * metres

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import ctypes
 import os
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple
 
 import numpy as np
@@ -212,6 +213,7 @@ class Request:
         found: Doubles = np.ctypeslib.as_array(self.view.targets, (self.view.n,)).copy()
         return found
 
+    @cached_property
     def remarks(self) -> List[rc_remark]:
         library, found = request_library(), []
         for index in range(library.rc_request_remark_count(self._handle)):
@@ -229,9 +231,7 @@ class Request:
 
     def _said(self, doubtful: bool) -> Tuple[str, ...]:
         return tuple(
-            each.text.decode(errors="replace")
-            for each in self.remarks()
-            if (each.severity == _constants.RC_DOUBTFUL) == doubtful
+            each.text.decode(errors="replace") for each in self.remarks if (each.severity == _constants.RC_DOUBTFUL) == doubtful
         )
 
     def assumed(self) -> Tuple[str, ...]:
@@ -265,14 +265,15 @@ class Prescribed:
                 f"{self.name} has {self.given.size} values, and this call solves one step; roughcontact.history and "
                 "Contact.history solve one step for each"
             )
-        return float(self.targets.ravel()[0])
+        return float(self.targets.item())
 
 
 def _prescribed(name: str, values: Doubles, system: System) -> Prescribed:
-    if name == "area" and np.any(values > 1):
+    if name != "area":
+        return Prescribed(name, values, CONTROLS[name], values)
+    if np.any(values > 1):
         raise ArgumentError(f"area: {float(np.max(values)):g} is more than the whole, give a share as 10% or 0.1")
-    whole = float(np.prod(system.shape)) * system.pitch[0] * system.pitch[1] if name == "area" else 1.0
-    return Prescribed(name, values, CONTROLS[name], values * whole)
+    return Prescribed(name, values, CONTROLS[name], values * (float(np.prod(system.shape)) * system.pitch[0] * system.pitch[1]))
 
 
 def prescribed(system: System, **ways: Any) -> Prescribed:
@@ -322,7 +323,7 @@ class Pressed:
         """A result with the remarks of its request."""
         asked, load = self.request, result.load
         note = asked.note(result.note, load) if result.contacts else result.note
-        return replace(result, note=note, assumed=asked.assumed(), smooth=asked.smooth(load))
+        return result._with(note=note, assumed=asked.assumed(), smooth=asked.smooth(load))
 
 
 def _half_space(request: Request, shape: Shape) -> HalfSpace:
@@ -386,7 +387,7 @@ def pressed(
         if thing is not None and (word == "against" or not isinstance(thing, str)):
             things[word] = words.pop(word)
     request, maps = _retried(call, words, things, mask, system, leading, spelling)
-    for remark in request.remarks():
+    for remark in request.remarks:
         if remark.code in WARNINGS and spelling == _constants.RC_SPELLING_KEYWORD:
             warn(remark.text.decode(errors="replace"), WARNINGS[remark.code])
     view = request.view

@@ -24,9 +24,11 @@ if hasattr(signal, "pthread_sigmask"):
     for _name in _RAISED_BY_INSTRUCTIONS:
         _c.sigdelset(ctypes.byref(_all), int(getattr(signal, _name)))
 
+    _replace, _add = int(signal.SIG_SETMASK), int(signal.SIG_BLOCK)
 
-def _set(blocked: _Set, before: Optional[_Set] = None) -> None:
-    _mask(int(signal.SIG_SETMASK), ctypes.byref(blocked), None if before is None else ctypes.byref(before))
+
+def _set(blocked: _Set) -> None:
+    _mask(_replace, ctypes.byref(blocked), None)
 
 
 def blocked() -> Optional[_Set]:
@@ -34,14 +36,15 @@ def blocked() -> Optional[_Set]:
     if _mask is None:
         return None
     now = _Set()
-    _mask(int(signal.SIG_BLOCK), None, ctypes.byref(now))
+    _mask(_add, None, ctypes.byref(now))
     return now
 
 
 def block(caller: Optional[_Set]) -> None:
     """All signals on this thread, from here on. caller: what the thread that made the call blocks."""
     if caller is not None:
-        _set(_all)
+        if not hasattr(_local, "before"):
+            _set(_all)
         _local.before = caller
 
 

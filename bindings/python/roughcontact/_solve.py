@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Any, Callable, Optional
 
 from numpy.typing import ArrayLike
@@ -118,4 +117,4 @@ def history(
         answer = history_on(
             contact, what.needed(), what.gap, what.mask, warm_start, virgin, stiffness, keep_pressure, want_gap, each, check
         )
-    return replace(answer, results=tuple(what.remarked(result) for result in answer.results))
+    return answer._with(results=tuple(what.remarked(result) for result in answer.results))

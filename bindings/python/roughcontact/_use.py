@@ -18,10 +18,11 @@ class Use:
     """A handle is in use by the call that was made, and by the thread that works for it (`interruptible`), which may
     outlive the call where a signal handler raises again and again. It is destroyed when neither uses it.
 
-    destroy: a weakref.finalize
+    A context manager over a call by the caller, which gives the handle. destroy: a weakref.finalize
     """
 
-    def __init__(self, destroy: Any) -> None:
+    def __init__(self, handle: Any, destroy: Any) -> None:
+        self._handle = handle
         self._caller, self._worker = threading.Lock(), threading.Lock()
         self._alive = threading.RLock()  # a signal handler may ask while its own thread destroys
         self._destroy, self._closing = destroy, False
@@ -30,8 +31,7 @@ class Use:
     def closed(self) -> bool:
         return self._closing or not self._destroy.alive
 
-    @contextmanager
-    def by_caller(self) -> Iterator[None]:
+    def __enter__(self) -> Any:
         if not self._caller.acquire(False):
             raise BusyError(
                 "the contact is in use by another thread, or by the call that this callback belongs to; make one contact "
@@ -42,10 +42,14 @@ class Use:
                 raise BusyError("a call that was interrupted has not ended yet; wait a moment, or make another contact")
             if self.closed():
                 raise ArgumentError("the contact is closed")
-            yield
-        finally:
-            self._caller.release()
-            self._close_if_free()
+            return self._handle
+        except BaseException:
+            self.__exit__()
+            raise
+
+    def __exit__(self, *_: object) -> None:
+        self._caller.release()
+        self._close_if_free()
 
     @contextmanager
     def answering(self) -> Iterator[None]:
@@ -57,12 +61,12 @@ class Use:
             self._answering = None
 
     @contextmanager
-    def by_caller_or_callback(self) -> Iterator[None]:
+    def by_caller_or_callback(self) -> Iterator[Any]:
         if self._answering == threading.get_ident():
-            yield
+            yield self._handle
         else:
-            with self.by_caller():
-                yield
+            with self as handle:
+                yield handle
 
     def begin_work(self) -> bool:
         """Whether a thread may work with the handle; it then calls `end_work`."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import dataclasses
 from typing import Any, Callable, List, Optional, Tuple
 
 import numpy as np
@@ -70,7 +69,7 @@ def _on_device(step: rc_step, gap: DeviceArray, mask: Optional[Mask], first: Opt
 def _alike(answer: Result, gap: Any) -> Result:
     """Its arrays as those of the gap's package."""
     maps = {name: getattr(answer, name) for name in ("pressure", "gap")}
-    return dataclasses.replace(answer, **{name: alike(array, gap) for name, array in maps.items() if array is not None})
+    return answer._with(**{name: alike(array, gap) for name, array in maps.items() if array is not None})
 
 
 class Contact(Handle):
@@ -259,7 +258,9 @@ class Contact(Handle):
         """Solves a loading history; see `roughcontact.history`. Without either, on the surface of the last step."""
         gap_array, mask_array = gap_and_mask(self.system, heights, undeformed_gap, mask, missing)
         what = prescribed(self.system, approach=approach, load=load, pressure=pressure, area=area)
-        return history_on(self, what, gap_array, mask_array, warm_start, virgin, stiffness, keep_pressure, want_gap, each, check)
+        return history_on(
+            self, what, gap_array, mask_array, warm_start, virgin, stiffness, keep_pressure, want_gap, each, check
+        )
 
     def levels(self) -> List[Level]:
         """Coarse solutions of the last step, the coarsest first."""

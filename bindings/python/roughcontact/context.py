@@ -189,6 +189,11 @@ def kernels(context: Optional[Context] = None) -> List[Component]:
     return _components(_constants.RC_COMPONENT_KERNEL, context)
 
 
+def option_count() -> int:
+    """In the default context."""
+    return contact_library().rc_component_count(None, _constants.RC_COMPONENT_OPTION)
+
+
 def options(context: Optional[Context] = None) -> List[OptionSpec]:
     """All options: the core's, then those of every component; printed, one a line, as the keywords that `solve` takes."""
     kinds: Dict[int, Any] = {_constants.RC_TYPE_INT: int, _constants.RC_TYPE_REAL: float, _constants.RC_TYPE_TEXT: str}

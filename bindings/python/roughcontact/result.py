@@ -280,9 +280,7 @@ class Result(Answer):
             "largest pressure": f"{self.max_pressure:.6g}" + (f" at {self.capped} points" if self.capped > 1 else ""),
             "mean pressure": f"{self.mean_pressure:.6g}",
             "by": f"{self.solver} on {self.backend}, residual {self.residual:.1e}",
-            **(
-                {"smooth": f"contact {self.smooth.width:.6g} wide, approach {self.smooth.approach:.6g}"} if self.smooth else {}
-            ),
+            **({"smooth": f"contact {self.smooth.width:.6g} wide, approach {self.smooth.approach:.6g}"} if self.smooth else {}),
             **({"note": self.remarks} if self.remarks else {}),
             **({"assumed": "; ".join(self.assumed)} if self.assumed else {}),
         }
@@ -299,11 +297,10 @@ class Result(Answer):
 
 
 def result_from(struct: rc_result, message: str, grid: Grid, pressure: Optional[Reals], gap: Optional[Reals]) -> Result:
-    own = {"status": as_status(struct.status), "message": message, "pressure": pressure, "gap": gap, "grid": grid}
-    own["measures"] = None
-    own["accuracy"] = Accuracy(**members_for(Accuracy, struct))
-    answer = object.__new__(Result)  # its __init__ would set 60 members one by one
-    vars(answer).update(members_for(Result, struct), assumed=(), smooth=None, **own)
+    answer, accuracy = object.__new__(Result), object.__new__(Accuracy)  # __init__ would set their 60 members one by one
+    vars(accuracy).update(members_for(Accuracy, struct))
+    own = {"message": message, "pressure": pressure, "gap": gap, "grid": grid, "measures": None, "accuracy": accuracy}
+    vars(answer).update(members_for(Result, struct), status=as_status(struct.status), assumed=(), smooth=None, **own)
     return answer
 
 
