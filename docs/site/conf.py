@@ -51,6 +51,8 @@ gallery
 
 how-to/file-to-report
 how-to/prepare-a-map
+how-to/two-maps
+how-to/rough-ball
 how-to/free-or-periodic
 how-to/modulus-and-units
 how-to/conductance

@@ -137,10 +137,11 @@ void print_advice(const Analysis& a) {
 }
 
 void print(const Analysis& a) {
-  std::printf("surface %s, %lld x %lld points, pitch %s x %s%s, %s removed\n",
+  const char* const further = a.periodic ? ", periodic, mean removed" : a.input.removed == "plane" ? "" : ", plane removed";
+  std::printf("surface %s, %lld x %lld points, pitch %s x %s%s%s\n",
               rc_platform::path_of(a.input.file).filename().string().c_str(), static_cast<long long>(a.input.surface.nx),
               static_cast<long long>(a.input.surface.ny), length_text(a.input.surface.hx).c_str(),
-              length_text(a.input.surface.hy).c_str(), a.input.preparation().c_str(), a.periodic ? "periodic, mean" : "plane");
+              length_text(a.input.surface.hy).c_str(), a.input.preparation().c_str(), further);
   print_statistics(a.statistics);
   print_spectrum(a.law);
   print_advice(a);

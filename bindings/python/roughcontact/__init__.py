@@ -68,6 +68,7 @@ from .result import (
     Result as Result,
     Smooth as Smooth,
 )
+from ._prepare import prepare as prepare
 from ._solve import history as history, solve as solve
 from ._units import AssumedUnit as AssumedUnit
 from .surface import example as example

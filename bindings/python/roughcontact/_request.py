@@ -300,11 +300,12 @@ class Pressed:
     request: Request
 
     def surface(self) -> Surface:
-        """As pressed; its heights are the request's."""
+        """As pressed."""
         view = self.request.view
-        heights = np.ctypeslib.as_array(view.heights, (int(np.prod(self.gap.shape)),)).reshape(self.gap.shape)
+        heights = np.ctypeslib.as_array(view.heights, (int(np.prod(self.gap.shape)),)).reshape(self.gap.shape).copy()
         repeats = None if view.periodic < 0 else bool(view.periodic)
-        return Surface(heights, self.system.pitch, repeats, self.mask, "m" if view.si else None)
+        said = self.request.assumed()
+        return Surface(heights, self.system.pitch, repeats, self.mask, "m" if view.si else None, remarks=said)
 
     def options(self, given: Options) -> Options:
         """With those that the words set."""

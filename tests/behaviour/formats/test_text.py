@@ -36,6 +36,8 @@ class Headers(ReaderTest):
         self.assert_reads("a.txt", nova + ROWS, Z * NM * 2, (0.5 * UM, 0.25 * UM), atol=0)
         # Only lengths of whole sides are in nm without a unit, not the pitch.
         self.assert_reads("a.txt", nova.replace("Unit X = um\n", "") + ROWS, Z * NM * 2, (0.5, 0.25), atol=0)
+        for pitch in ("Pitch: 0.5 um\n", "# Pitch X = 500 nm\n# Pitch Y = 0.5 um\n", "X pitch [um];0.5\nY pitch [um];0.5\n", "spacing = 500 nm\n"):
+            self.assert_reads("a.txt", pitch + "# Value units: nm\n" + ROWS, Z * NM, (0.5 * UM, 0.5 * UM), atol=0)
         esri = "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 2\nNODATA_value -9999\n1 2 -9999\n4 5 6\n"
         self.assert_reads("a.asc", esri, np.where(Z == 3, np.nan, Z), (2, 2))
 
