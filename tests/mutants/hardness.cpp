@@ -1,5 +1,6 @@
 // Certificates and bounds with 0 <= p <= c: pressures at both ends, right and wrong, and the sets that bound the stiffness.
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "contact/proof/certificate.h"
@@ -161,6 +162,37 @@ void all_at_the_hardness(Figures& figures) {
     }
 }
 
+// Gaps that are rounded sums, above a datum that leaves them few digits. Some points are above the compression by less than that.
+void rounded_gaps(Figures& figures) {
+  const std::vector<Small> all = systems();
+  for (const std::size_t number : {0, 7, 9})
+    for (const double datum : {-3e6, 4e6})
+      for (const double c : {0.3, infinite}) {
+        Small small = all[number];
+        small.summed = true;
+        for (double& h : small.gap) h += datum;
+        small.press(0.4, 1e-9, 8);
+        small.cap(c);
+        const std::string name = "rounded/" + std::to_string(number) + "/" + std::to_string(datum) + "/" + std::to_string(c);
+        put_all(figures, name, small);
+        const double lowest = *std::min_element(small.gap.begin(), small.gap.end());
+        std::vector<std::int64_t> pressed;
+        for (std::size_t i = 0; i < small.points(); ++i)
+          if (small.answer.pressures.p[i] > 0) pressed.push_back(static_cast<std::int64_t>(i));
+        for (const double above : {6e-10, 1.2e-9}) {
+          Small near = small;
+          near.gap.back() = lowest + small.compression + above;
+          near.answer.product.back() = small.compression;
+          const std::string at = name + "/" + std::to_string(above * 1e9);
+          put_all(figures, at, near);
+          near.list(pressed, infinite);
+          put_all(figures, at + "/unlisted", near);
+          near.answer.beyond = 0.1;
+          put_all(figures, at + "/beyond", near);
+        }
+      }
+}
+
 void certificates(Figures& figures) {
   const auto put_certificate = [&figures](const std::string& name, const Small& small, double scale, double hardness) {
     const rc::Certificate c = certify(small.surface(), small.compression, small.answer, small.survey(), scale, hardness);
@@ -192,6 +224,7 @@ void figures_of_hardness(Figures& figures) {
   around_the_mean_plane(figures);
   unlisted_capped_points(figures);
   all_at_the_hardness(figures);
+  rounded_gaps(figures);
   certificates(figures);
 }
 

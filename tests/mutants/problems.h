@@ -35,6 +35,7 @@ struct Small {
   std::string kernel = "auto";
   std::vector<double> gap, matrix;
   std::vector<std::uint8_t> mask;
+  bool summed = false;  // the gap is that of an indented surface
   double compression = 0;
   rc::Deflected answer;
 
@@ -47,7 +48,7 @@ struct Small {
   }
   rc::StepSurface surface() const {
     static const rc::ThreadTeam team(1);
-    return rc::StepSurface({given.nx, given.ny, gap, mask, true}, team);
+    return rc::StepSurface({given.nx, given.ny, gap, mask, true, 0, summed}, team);
   }
   rc::Survey survey() const { return rc::survey(surface(), compression, answer); }
   // Pressures on the points below the compression, and a product that leaves gaps of the size `off` of the compression there.

@@ -133,7 +133,8 @@ void Contact::restore(const rc_state& state) {
   const std::span<const std::uint8_t> mask(values_of<std::uint8_t>(state.mask), state.mask.data ? n : 0);
   Indentation indentation = indentation_of(state, system);
   const std::vector<double> indented = indentation.indented();
-  StepSurface surface({system.given.nx, system.given.ny, indentation.none() ? GapValues(gap) : GapValues(indented), mask, false},
+  const bool summed = !indentation.none();
+  StepSurface surface({system.given.nx, system.given.ny, summed ? GapValues(indented) : GapValues(gap), mask, false, 0, summed},
                       problem().team());
   Memory memory = memory_of(state, surface, system.points());
   goal_.forget();

@@ -29,7 +29,7 @@ double longer_side(const rc_system& system) {
 StepSurface surface_with(const Indentation& indentation, std::span<const std::uint8_t> mask, const GridProblem& problem) {
   const rc_system& system = problem.system.given;
   const std::vector<double> gap = indentation.indented();
-  return StepSurface({system.nx, problem.rows().own(system.ny), gap, mask, false, longer_side(system)}, problem.team(),
+  return StepSurface({system.nx, problem.rows().own(system.ny), gap, mask, false, longer_side(system), true}, problem.team(),
                      problem.rows());
 }
 

@@ -47,12 +47,16 @@ class Proof {
         spectrum_(spectrum),
         surface_(surface),
         compression_(compression),
-        rounding_(surface.range().included > 0 ? rounding_of(surface.lowest(), compression) : 0),
+        rounding_(surface.range().included > 0 ? rounding_of(surface.lowest(), compression) + surface.range().rounding : 0),
         answer_(answer),
         found_(found),
         given_(answer.p()),
         product_(answer.product) {
-    candidates_ = extent_below(system_.positive ? surface_.range().limit_of(compression_) : infinity, surface_);
+    candidates_ = extent_below(system_.positive ? limit() : infinity, surface_);
+    // Answers that list the points below the compression may lack those that only rounded gaps put above it.
+    const double rounding = surface_.range().rounding, beyond = answer.beyond;
+    const auto listed = [&] { return extent_below(surface_.range().limit_of(compression_), surface_).n; };
+    if (!all_listed()) beyond_ = beyond == infinity && rounding > 0 && listed() < candidates_.n ? 0 : beyond;
     measure();
     residual();
   }
@@ -94,11 +98,14 @@ class Proof {
   double distance_to_surface(std::size_t i) const { return product_[i] - (compression_ - height(i)); }  // [length]
   // If H has no negative entries, p*_i > 0 needs u_i = (H p*)_i > 0. Points with u_i = 0 carry nothing either, but do at any
   // larger approach: they are not counted as open.
-  bool may_carry(std::size_t i) const { return included(i) && (!system_.positive || compression_ >= height(i)); }
+  bool may_carry(std::size_t i) const { return included(i) && (!system_.positive || deepest() >= height(i)); }
+  // [length] Heights above this carry nothing. The gap, the approach, and this sum, are rounded.
+  double deepest() const { return compression_ + 4 * surface_.range().rounding; }
+  double limit() const { return surface_.range().limit_of(deepest()); }
 
-  // Sizes, and doubt_, a bound of the error of every w_i: round-off of the product, round-off of the approach as it is returned,
-  // and the product of the pressures below 0 and above the hardness that were cut off (no entry of H is larger than its largest
-  // diagonal entry).
+  // Sizes, and doubt_, a bound of the error of every w_i: round-off of the product, of the approach as it is returned and of the
+  // indented gap, and the product of the pressures below 0 and above the hardness that were cut off (no entry of H is larger than
+  // its largest diagonal entry).
   void measure() {
     const double largest_product = found_.largest_product;
     double largest_w = found_.largest_gap;
@@ -172,7 +179,7 @@ class Proof {
   // are proven to have it. Outside this set x is 0.
   Extent undecided_pressures() {
     const double reach = open_beyond();
-    if (!(reach < (all_listed() ? infinity : answer_.beyond)))  // any candidate
+    if (!(reach < beyond_))  // any candidate
       return candidates_ + surface_.points().combined_over<Extent>(found_.touching, [&](Extent& support, std::size_t i) {
         if (given_[i] > 0 && !may_carry(i)) add(support, i);
       });
@@ -247,13 +254,15 @@ class Proof {
     const double mean_gap = mean - compression_, off = system_.capped() ? std::abs(mean_gap) : mean_gap;
     const double eps = (off - rounding_ - epsilon * (100 + n() / 512) * surface_.range().width()) / length_;
     if (!(eps > 0)) return {};
-    const double e_square = square_sum / square(length_);
+    // Gaps that are rounded by at most E move e by at most sqrt(n) E, and each e_i by 2 E.
+    const double rounding = surface_.range().rounding;
+    const double e_square = (square_sum + rounding * (2 * std::sqrt(n() * square_sum) + n() * rounding)) / square(length_);
     const auto [ep, php] = sum_of_touching<Energies>([&](Energies& part, std::size_t i) {
       if (!(given_[i] > 0)) return;
       part.ep += (mean - height(i)) / length_ * p(i);
       part.php += product_[i] / length_ * p(i);
     });
-    const double doubt = doubt_ * sum_ + epsilon * n() * (e_square / spectrum_.lowest + work_);
+    const double doubt = (doubt_ + 4 * rounding / length_) * sum_ + epsilon * n() * (e_square / spectrum_.lowest + work_);
     return {std::sqrt(std::max(0.0, e_square / spectrum_.lowest - 2 * ep + php) + doubt) / eps, 1 / eps};
   }
   static SumBound better(const SumBound& a, const SumBound& b) { return a.by_distance < b.by_distance ? a : b; }
@@ -308,10 +317,10 @@ class Proof {
       sets->possible.push_back(static_cast<std::int64_t>(answer_.point(i)));
       if (p(i) > margin && cap() - p(i) > margin) sets->contacts.push_back(sets->possible.back());
     }
-    if (!all_listed() && !(reach < answer_.beyond)) {
+    if (!all_listed() && !(reach < beyond_)) {
       undecided += candidates_.n;
       for (std::size_t i = 0; i < given_.size(); ++i) undecided -= may_carry(i);
-      if (sets && system_.positive) list(points_below(surface_.range().limit_of(compression_), surface_), sets->possible);
+      if (sets && system_.positive) list(points_below(limit(), surface_), sets->possible);
       if (sets) sets->listed = system_.positive;
     }
     result.proven_contacts = contacts;
@@ -353,11 +362,12 @@ class Proof {
   const Spectrum& spectrum_;
   const StepSurface& surface_;
   const double compression_;
-  const double rounding_;  // [length] round-off of the approach, which is the lowest gap plus the compression
+  const double rounding_;  // [length] round-off of the approach, which is the lowest gap plus the compression, and of the gap
   const Deflected& answer_;
   const Survey& found_;
   const std::span<const double> given_, product_;
   Extent candidates_;                                               // points that may carry pressure
+  double beyond_ = infinity;                                        // [length] the points not listed have larger gaps
   double length_ = 1, depth_ = 0;                                   // [length]; largest penetration
   double sum_ = 0, negative_ = 0, largest_w_ = 0, doubt_ = 0;       // sum of p; of the negative p; largest |w|; error of w_i
   double beta_ = 0, stray_ = 0, delta_sum_ = 0, delta_square_ = 0;  // see residual(); stray: the pressures in beta

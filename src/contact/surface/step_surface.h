@@ -27,6 +27,7 @@ struct GivenSurface {
   std::span<const std::uint8_t> mask;
   bool borrowed = false;  // not copied: the arrays outlive the state
   double side = 0;        // [length] by rows: the longer one, if solvers work on it; there masked points stay unknowns
+  bool summed = false;    // the gap is a sum, of a gap and an indentation, that was rounded
 };
 
 // The gaps of the included points, of all processes.
@@ -34,6 +35,7 @@ struct GapRange {
   std::int64_t included = 0;  // how many points there are
   bool whole = true;          // no point is masked
   double lowest = 0, highest = 0;
+  double rounding = 0;  // [length] error of each gap, if it is a sum that was rounded
 
   double width() const { return highest - lowest; }
   // A limit such that every included point below this height has gap < limit.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "capped_cases.h"
 #include "support/registry.h"
@@ -77,6 +78,45 @@ void a_surface_given_again_is_the_original() {
     check_same(a.gap, b.gap, "gap");
     check_same(indentation_of(once, problem.points()), indentation_of(again, problem.points()), "indentation");
   }
+}
+
+// Independent springs, whose exact load is a sum. The gap with its indentation is rounded, the more the higher its datum.
+void intervals_count_the_rounded_gap() {
+  constexpr std::size_t n = 6;
+  std::mt19937 generator(3);
+  const auto random = [&] { return static_cast<double>(generator()) / 4294967296.0; };
+  Field matrix(n * n, 0.0);
+  for (std::size_t i = 0; i < n; ++i) matrix[i * n + i] = 1;
+  int off = 0;
+  for (int draw = 0; draw < 300; ++draw) {
+    Problem problem;
+    problem.system.nx = n;
+    problem.system.ny = 1;
+    problem.system.op = RC_OPERATOR_DENSE;
+    problem.system.dense = matrix.data();
+    problem.system.dense_ld = n;
+    problem.system.hardness = 0.1;
+    const double datum = std::pow(10.0, 8 * random());
+    for (std::size_t i = 0; i < n; ++i) problem.gap.push_back(datum + random());
+    problem.target = datum + 1.5;
+    const Contact contact(problem, automatic);
+    check_status(contact.solve(problem), RC_OK);
+    const Field left = indentation_of(contact, n);
+    problem.target -= 0.2 * random();
+    const Answer answer = contact.solve(problem);
+    check_status(answer, RC_OK);
+    long double load = 0, rounded = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const long double target = problem.target, cap = problem.system.hardness, gap = problem.gap[i];
+      load += std::clamp(target - gap - left[i], 0.0L, cap);
+      rounded += std::clamp(target - static_cast<long double>(problem.gap[i] + left[i]), 0.0L, cap);
+    }
+    check(answer.result.load_lower <= load && load <= answer.result.load_upper,
+          "the load " + text(static_cast<double>(load)) + " is not in " + text(answer.result.load_lower) + " .. " +
+              text(answer.result.load_upper));
+    off += load != rounded;
+  }
+  check(off > 100, "few sums were rounded");
 }
 
 void what_fails_leaves_nothing() {
@@ -307,6 +347,7 @@ void stiffness_is_of_the_free_points() {
 int main(int argc, char** argv) {
   using namespace pairs;
   std::vector<Test> tests = {{"a_surface_given_again_is_the_original", a_surface_given_again_is_the_original},
+                             {"intervals_count_the_rounded_gap", intervals_count_the_rounded_gap},
                              {"what_fails_leaves_nothing", what_fails_leaves_nothing},
                              {"certify_sees_the_indentation", certify_sees_the_indentation},
                              {"a_virgin_history_presses_the_first_surface", a_virgin_history_presses_the_first_surface},
