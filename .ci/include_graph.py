@@ -8,7 +8,7 @@ import re
 import sys
 
 CONTACT = {f'roughcontact/{name}.h' for name in ('roughcontact', 'history', 'derivatives', 'direct', 'product', 'analysis', 'law', 'ranks', 'registry')}
-PUBLIC = CONTACT | {f'roughcontact/{name}' for name in ('mpi.h', 'plugin.h', 'surface.h', 'formats.h', 'flow.h', 'request.h', 'plugin.hpp')}
+PUBLIC = CONTACT | {f'roughcontact/{name}' for name in ('mpi.h', 'plugin.h', 'surface.h', 'formats.h', 'flow.h', 'request.h', 'budget.h', 'plugin.hpp')}
 STEP = {f'contact{part}' for part in ('', '/surface', '/memory', '/coarse', '/sparse', '/proof', '/step')}
 LAYERS = {  # folder under src: folders it may include, each without the folders below it that stand here themselves
     'platform': {'platform'},
@@ -42,12 +42,12 @@ LAYERS = {  # folder under src: folders it may include, each without the folders
 }
 OUTSIDE = {  # other folders: public headers they may include; besides, their own files and those of dependencies
     'backends': {'roughcontact/plugin.h', 'roughcontact/plugin.hpp'},  # and backends/common, which includes no backend
-    'bindings': CONTACT | {'roughcontact/formats.h', 'roughcontact/flow.h', 'roughcontact/request.h'},
-    'tools': CONTACT | {'roughcontact/surface.h', 'roughcontact/flow.h', 'roughcontact/mpi.h', 'roughcontact/request.h'},
+    'bindings': CONTACT | {'roughcontact/formats.h', 'roughcontact/flow.h', 'roughcontact/request.h', 'roughcontact/budget.h'},
+    'tools': CONTACT | {'roughcontact/surface.h', 'roughcontact/flow.h', 'roughcontact/mpi.h', 'roughcontact/request.h', 'roughcontact/budget.h'},
     'mpi': {'roughcontact/mpi.h', 'roughcontact/ranks.h'},
     'surface': {'roughcontact/roughcontact.h', 'roughcontact/surface.h'},
     'formats': {'roughcontact/roughcontact.h', 'roughcontact/formats.h'},
-    'request': CONTACT | {'roughcontact/formats.h', 'roughcontact/request.h'},
+    'request': CONTACT | {'roughcontact/formats.h', 'roughcontact/request.h', 'roughcontact/budget.h'},
     'flow': CONTACT | {'roughcontact/flow.h'},
     'fuzz': CONTACT | {'roughcontact/surface.h', 'roughcontact/formats.h'},
     'examples': PUBLIC,

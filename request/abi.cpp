@@ -5,27 +5,13 @@
 #include <limits>
 #include <memory>
 
-#include "abi/own_guard.h"
 #include "abi/sized_struct.h"
+#include "request/guard.h"
 #include "request/request.h"
 
 namespace rc::request {
 
 namespace {
-
-struct Library;
-
-// Messages are for users, who know no functions.
-template <class Body> rc_status guard(const Body& body) {
-  const rc_status status = own_guard<Library>("", [&] {
-    try {
-      body();
-    } catch (const Error& error) {
-      fail(RC_ERR_ARGUMENT, error.what());
-    }
-  });
-  return status;
-}
 
 void write_word(const Word& word, rc_word* out) {
   rc_word described = RC_WORD_INIT;
@@ -69,10 +55,12 @@ void remark_on_units(const Words& words, const Units& units, rc_request& request
        join("lengths without a unit are taken in m (", units.lengths, "); ", words.spelt("unit"), " names another")});
 }
 
-std::unique_ptr<rc_request> made(const rc_request_spec& spec) {
+}  // namespace
+
+std::unique_ptr<rc_request> made(const rc_request_spec& spec, const Variation& variation) {
   check_spec(spec);
   auto request = std::make_unique<rc_request>();
-  const Words words{spec};
+  const Words words{spec, variation};
   request->spelling = words.spelling;
   Units units;
   units.si = spec.numbers == RC_NUMBERS_SI;
@@ -94,7 +82,7 @@ std::unique_ptr<rc_request> made(const rc_request_spec& spec) {
   set_layer(words, units, *request);
   set_flow(words, units, *request);
   set_loading(words, units, !spec.system && spec.call != RC_CALL_ANALYZE, *request);
-  set_surface(spec, words, units, *request);
+  set_surface(spec, words, units, variation, *request);
   remark_on_units(words, units, *request);
   if (!spec.system) set_boundary(words, *request);
   view.metres = units.bare.metres;
@@ -112,6 +100,8 @@ std::unique_ptr<rc_request> made(const rc_request_spec& spec) {
   view.format = request->format.c_str();
   return request;
 }
+
+namespace {
 
 // The note, with the words that help against what it doubts.
 std::string with_words(const Spelling& spelling, std::string note) {
@@ -156,7 +146,7 @@ rc_status rc_request_create(const rc_request_spec* spec, rc_request** out) {
     const rc_request_spec defaults = RC_REQUEST_SPEC_INIT;
     const rc_request_spec given = read(spec, "rc_request_spec", defaults);
     if (!out) fail(RC_ERR_ARGUMENT, "out is null");
-    *out = made(given).release();
+    *out = made(given, {}).release();
   });
 }
 

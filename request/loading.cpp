@@ -43,6 +43,7 @@ std::vector<double> ratios(const Words& words, const char* word) {
     for (const std::string_view each : split(given->text, ',')) found.push_back(finite_number(words.spelt(word), each));
   for (const double each : found)
     if (!(each > -1 && each <= 0.5)) throw Error(words.spelt(word), ": ", given->shown(), " is not in (-1, 0.5]");
+  for (double& each : found) each = std::min(each * words.factor(word), 0.5);
   return found;
 }
 

@@ -4,6 +4,7 @@
 #include <roughcontact/request.h>
 
 #include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,6 +12,7 @@
 
 #include "request/maps.h"
 #include "request/shapes.h"
+#include "request/variation.h"
 #include "request/words.h"
 
 struct rc_request {
@@ -21,7 +23,7 @@ struct rc_request {
   std::optional<rc::request::Shape> shape;
   rc::request::Spelling spelling;
   std::vector<std::pair<std::string, std::string>> options;
-  bool layered = false;
+  bool layered = false, against = false, shaped = false;  // whether there is a layer, another body, a shape of the caller
 
   struct Remark {
     int32_t code, severity;
@@ -53,6 +55,9 @@ void set_flow(const Words& words, Units& units, rc_request& request);
 void set_boundary(const Words& words, rc_request& request);
 
 // Reads the maps and does to them what the words say; sets the grid.
-void set_surface(const rc_request_spec& spec, const Words& words, Units& units, rc_request& request);
+void set_surface(const rc_request_spec& spec, const Words& words, Units& units, const Variation& variation, rc_request& request);
+
+// The request that a specification means, with a change.
+std::unique_ptr<rc_request> made(const rc_request_spec& spec, const Variation& variation);
 
 }  // namespace rc::request

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/error.h"
+#include "request/budget/fields.h"
 #include "request/registration.h"
 
 namespace rc::request {
@@ -179,6 +180,30 @@ void add_other(const Words& words, const Units& units, std::string_view word, Ma
   for (std::size_t i = 0; i < z.size(); ++i) z[i] += other.z[i % (static_cast<std::size_t>(other.nx * other.ny))];
 }
 
+// The other body, moved by whole cells; what leaves at one edge comes in at the opposite one.
+void move_cyclically(const Variation& variation, Map& other) {
+  if (!other.z || (variation.cells_x == 0 && variation.cells_y == 0)) return;
+  mark_masked(other);
+  const std::vector<double> before = other.writable();
+  std::vector<double>& z = other.writable();
+  const auto wrapped = [](std::int64_t place, std::int64_t n) { return (place % n + n) % n; };
+  for (std::int64_t iy = 0; iy < other.ny; ++iy)
+    for (std::int64_t ix = 0; ix < other.nx; ++ix)
+      z[static_cast<std::size_t>(iy * other.nx + ix)] = before[static_cast<std::size_t>(
+          wrapped(iy - variation.cells_y, other.ny) * other.nx + wrapped(ix - variation.cells_x, other.nx))];
+}
+
+// What a budget changes of the roughness.
+void vary(const Variation& variation, Map& map) {
+  if (map.z && (variation.height != 1 || variation.cutoff > 0)) {
+    std::vector<double>& z = map.writable();
+    for (double& each : z) each *= variation.height;
+    if (variation.cutoff > 0) low_pass({map.nx, map.ny, map.hx, map.hy}, variation.cutoff, map.periodic == 1, z);
+  }
+  map.hx *= variation.pitch;
+  map.hy *= variation.pitch;
+}
+
 // The height between the smallest and the largest value of a picture [m]; 0: not given.
 double height_range(const Words& words, Units& units) {
   const Given* const given = words.find("height-range");
@@ -210,7 +235,7 @@ void exclude(Map& map) {
 
 }  // namespace
 
-void set_surface(const rc_request_spec& spec, const Words& words, Units& units, rc_request& request) {
+void set_surface(const rc_request_spec& spec, const Words& words, Units& units, const Variation& variation, rc_request& request) {
   rc_system& system = request.view.system;
   const bool bare_shape = name_shape(words, units, request), of_gap = map_of(spec, "gap") != nullptr;
   const std::string_view word = of_gap ? "gap" : "surface";
@@ -225,6 +250,8 @@ void set_surface(const rc_request_spec& spec, const Words& words, Units& units, 
   Map& map = request.maps.emplace_back(std::move(*loaded));
   std::optional<Map> other = load_map(spec, words, "against", units.bare, range), shaped;
   if (map_of(spec, "shape")) shaped = load_map(spec, words, "shape", units.bare, range);
+  request.against = other.has_value();
+  request.shaped = shaped.has_value();
   if (range > 0 && !map.scaled && !(other && other->scaled) && !(shaped && shaped->scaled))
     throw Error(words.spelt("height-range"), " is of TIFF and PNG of whole numbers, and ", map.name, " has heights");
   for (Map* const each : {&map, other ? &*other : nullptr}) {
@@ -252,13 +279,16 @@ void set_surface(const rc_request_spec& spec, const Words& words, Units& units, 
 
   if (!of_gap) request.view.missing = prepare(words, units, map, request);
   for (auto& [name, body] : {std::pair{std::string_view("against"), &other}, std::pair{std::string_view("shape"), &shaped}}) {
+    if (name == "shape") vary(variation, map);
     if (!*body) continue;
-    if (!((*body)->hx > 0)) (*body)->hx = map.hx;
-    if (!((*body)->hy > 0)) (*body)->hy = map.hy;
+    const double pitch = name == "shape" ? variation.pitch : 1;
+    (*body)->hx = (*body)->hx > 0 ? (*body)->hx * pitch : map.hx;
+    (*body)->hy = (*body)->hy > 0 ? (*body)->hy * pitch : map.hy;
     request.view.missing += prepare(words, units, **body, request);
     if (name == "against") {
       mirror(words, **body);
       onto_grid(words, units, **body, map, request);
+      move_cyclically(variation, **body);
     }
     add_other(words, units, name, **body, map);
     if (name == "shape") map.periodic = 0;  // a ball ends somewhere

@@ -109,7 +109,8 @@ std::string Given::shown() const {
   return list + (numbers.size() > 3 ? ", ..." : "");
 }
 
-Words::Words(const rc_request_spec& spec) : spelling{spec.spelling}, call(spec.call) {
+Words::Words(const rc_request_spec& spec, const Variation& variation)
+    : spelling{spec.spelling}, call(spec.call), factor_(variation.factor) {
   for (std::int64_t k = 0; k < spec.n_words; ++k) {
     const rc_given& each = spec.words[k];
     if (!each.word || each.n < 0 || (!each.text && !(each.numbers && each.n > 0)))
@@ -117,8 +118,10 @@ Words::Words(const rc_request_spec& spec) : spelling{spec.spelling}, call(spec.c
     Given given{each.word, find_word(each.word), each.text, {}};
     given.name = given.word ? std::string(given.word->name) : option_key(spelling, given.name, spec.context);
     if (!each.text) given.numbers = {each.numbers, static_cast<std::size_t>(each.n)};
-    given_.push_back(std::move(given));
+    if (given.name != variation.replaced.first) given_.push_back(std::move(given));
   }
+  if (!variation.replaced.first.empty())
+    given_.push_back({variation.replaced.first, find_word(variation.replaced.first), variation.replaced.second, {}});
   const auto place = [](const Given& given) { return given.word ? given.word - table : std::ssize(table); };
   std::ranges::stable_sort(given_, {}, place);
   for (std::size_t k = 0; k < given_.size(); ++k) {
@@ -154,14 +157,17 @@ const Given* Words::find(std::string_view name) const {
 
 std::vector<Quantity> Words::quantities(const Given& given, Dimension dimension, double unit) const {
   const std::string option = spelt(given.name);
-  const bool targets = given.word->most == most_targets;
-  if (given.text && targets) return read_targets(option, given.text, dimension, unit);
-  if (given.text) return read_quantities(option, split(given.text, ','), dimension, unit);
   std::vector<Quantity> found;
+  if (given.text && given.word->most == most_targets) {
+    found = read_targets(option, given.text, dimension, unit);
+  } else if (given.text) {
+    found = read_quantities(option, split(given.text, ','), dimension, unit);
+  }
   for (const double number : given.numbers) {
     if (!std::isfinite(number)) throw Error(option, ": ", number, " is not finite");
     found.push_back({number, unit, true});
   }
+  for (Quantity& each : found) each.number *= factor(given.name);
   return found;
 }
 

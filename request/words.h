@@ -11,6 +11,7 @@
 
 #include "request/names.h"
 #include "request/quantities.h"
+#include "request/variation.h"
 
 namespace rc::request {
 
@@ -52,7 +53,7 @@ struct Given {
 // The words of a call, checked against the table; their order is the table's. Throws at the first that is wrong.
 class Words {
  public:
-  explicit Words(const rc_request_spec& spec);
+  Words(const rc_request_spec& spec, const Variation& variation);
 
   Spelling spelling;
   std::int32_t call;
@@ -63,6 +64,8 @@ class Words {
 
   // The numbers of a length, pressure, force or share; of a length without a unit in `unit`.
   std::vector<Quantity> quantities(const Given& given, Dimension dimension, double unit = 1) const;
+  // By which the numbers of a word are multiplied.
+  double factor(std::string_view word) const { return word == factor_.first ? factor_.second : 1; }
   // A pressure above 0.
   Quantity positive(const Given& given, Dimension dimension, double unit = 1) const;
   // The place of a word's value among its choices; `otherwise` if it was not given.
@@ -70,6 +73,7 @@ class Words {
 
  private:
   std::vector<Given> given_;
+  std::pair<std::string, double> factor_;
 };
 
 }  // namespace rc::request

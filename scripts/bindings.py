@@ -32,7 +32,7 @@ HEADERS = {
     "contact": [f"roughcontact/{name}.h" for name in ("roughcontact", "history", "derivatives", "direct", "product", "analysis", "law", "registry")],
     "surface": ["roughcontact/surface.h"],
     "formats": ["roughcontact/formats.h"],
-    "request": ["roughcontact/request.h"],
+    "request": ["roughcontact/request.h", "roughcontact/budget.h"],
     "flow": ["roughcontact/flow.h"],
     "mpi": ["roughcontact/mpi.h"],
 }

@@ -20,7 +20,7 @@
  *     registry.h   contexts, lists of components and options
  *     plugin.h     backends and solvers of your own
  * and those of libraries of their own: surface.h (generated surfaces, spectra), formats.h (files of surfaces), flow.h (leaks),
- * request.h (users' words), mpi.h and ranks.h (contacts shared by ranks).
+ * request.h (users' words), budget.h (uncertainties), mpi.h and ranks.h (contacts shared by ranks).
  *
  * Conventions
  *   pressure        force / length^2                   approach, gap    length

@@ -26,6 +26,7 @@ Command solve_command(SolveArguments& arguments) {
   Command solve{"solve", "Press a rough surface against a flat half-space", solve_help};
   add_words(solve, arguments.words, RC_CALL_HISTORY);
   add_set(solve, arguments);
+  add_budget_sources(solve, arguments);
   solve.add(
       "Output",
       {{"--out", &arguments.out, "DIR", "Folder for summary.json, steps.csv, pressure-K.npy, gap-K.npy, contact-K.png"},
@@ -50,6 +51,7 @@ Command report_command(CommandLine& line) {
   Command report{"report", "Write a page on a surface under load", report_help};
   add_words(report, line.report.words, RC_CALL_HISTORY);
   add_set(report, line.report);
+  add_budget_sources(report, line.report);
   report.add("Output", {{"--out", &line.report.out, "PAGE", "The page to write (default report.html)"},
                         {"--law", &line.reported_law, "FILE", "Show this contact law of the surface, see roughcontact law"}});
   return report;

@@ -10,6 +10,13 @@ void add_resume(Command& command, SolveArguments& arguments) {
   command.add("Output", {{"--resume", &arguments.resume, "", "Continue the earlier run in --out after its last finished step"}});
 }
 
+void add_budget_sources(Command& command, SolveArguments& arguments) {
+  command.add("Uncertainty",
+              {{"--budget", &arguments.budget, "SOURCES",
+                "How sure the last step is: noise=20nm, correlation=2um, bandwidth=2um, pitch=1%, height=1%, E=5% and "
+                "other words, remove=quadric, missing, shift=2um, window=2, grid; separated by commas"}});
+}
+
 void add_quiet(Command& command, SolveArguments& arguments) {
   command.add("Output", {{"--quiet", &arguments.quiet, "", "No table and no progress"}});
 }

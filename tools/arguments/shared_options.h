@@ -8,6 +8,7 @@ namespace cli {
 
 void add_set(Command& command, SolveArguments& arguments);
 void add_resume(Command& command, SolveArguments& arguments);
+void add_budget_sources(Command& command, SolveArguments& arguments);
 void add_quiet(Command& command, SolveArguments& arguments);
 
 }  // namespace cli

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "files/step_fields.h"
+#include "solve/budget.h"
 #include "text.h"
 
 namespace cli {
@@ -77,6 +78,7 @@ Summary::Summary(const Problem& problem, const std::string& checksum) {
   document_.end();
   document_.add("library_version", library_version());
   document_.end();
+  if (problem.budget) add_budget(*problem.budget, problem.budget_sources, document_);
   document_.begin("steps", '[');
 }
 

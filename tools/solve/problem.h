@@ -1,6 +1,7 @@
 // The arguments of `roughcontact solve` as given, and the checked problem in metres that they describe.
 #pragma once
 
+#include <roughcontact/budget.h>
 #include <roughcontact/flow.h>
 
 #include <optional>
@@ -20,6 +21,7 @@ struct SolveArguments {
   GivenWords words;
   std::vector<std::string> set;  // key=value
   std::optional<std::string> out, write;
+  std::optional<std::string> budget;  // its sources
   bool resume = false;
   bool no_maps = false, no_pictures = false;
   bool explain = false;
@@ -33,6 +35,8 @@ struct Problem {
   std::string control;                                       // "approach", "load", "pressure", "area" or "closing-pressure"
   std::vector<double> targets;                               // of the control; lengths in metres, areas as shares
   std::vector<std::pair<std::string, std::string>> options;  // of the library, later ones win
+  std::string budget_sources;
+  std::shared_ptr<const rc_budget> budget;  // of the last step; null: not asked for
 
   // The control and target for the library, which has areas where the command has shares.
   int32_t step_control() const;

@@ -12,6 +12,7 @@
 #include "formats/error.h"
 #include "library.h"
 #include "platform/terminal.h"
+#include "solve/budget.h"
 #include "solve/conclusion.h"
 #include "solve/interrupt.h"
 #include "solve/leak.h"
@@ -75,8 +76,9 @@ ExitCode run_solve(const SolveArguments& arguments) {
   check_output(arguments);
   StepWriters writers;
   if (arguments.write) writers = find_step_writers(*arguments.write);
-  const Problem problem = make_problem(arguments, RC_CALL_HISTORY);
+  Problem problem = make_problem(arguments, RC_CALL_HISTORY);
   const bool closing = problem.control == "closing-pressure";
+  if (closing && arguments.budget) throw Error("--budget is of a step, and --closing-pressure has none");
   if (closing && arguments.out) throw Error("--closing-pressure has no steps, whose folder --out is");
   const int steps = static_cast<int>(problem.targets.size());
   Fields fields{problem.input.surface.heights.size(), problem.system.hardness > 0};
@@ -91,6 +93,11 @@ ExitCode run_solve(const SolveArguments& arguments) {
   const Contact contact = make_contact(problem, options);
   check(rc_contact_on_progress(contact.get(), on_progress, &bar, 1), "");
   const Interrupt interrupt{contact.get()};
+  if (arguments.budget) {
+    problem.budget_sources = *arguments.budget;
+    problem.budget = make_budget(arguments, options.get());
+    if (!problem.budget) return exit_cancelled;
+  }
   std::optional<StepFiles> files;
   if (arguments.out)
     files.emplace(*arguments.out, problem,
@@ -134,6 +141,7 @@ ExitCode run_solve(const SolveArguments& arguments) {
   if (files && !interrupt.requested()) files->write_history();
   for (const std::string& line : {last, smooth})
     if (!arguments.quiet && !line.empty()) std::printf("%s\n", line.c_str());
+  if (problem.budget && !arguments.quiet && !interrupt.requested()) print_budget(*problem.budget);
   return interrupt.requested() ? exit_cancelled : code;
 }
 

@@ -39,6 +39,7 @@ from ._status import Status as Status
 from .analysis import Area as Area, Conductance as Conductance, Crossing as Crossing, Histogram as Histogram, Patches as Patches
 from ._answers import load as load
 from ._batch import batch as batch
+from ._budget import Budget as Budget, Contribution as Contribution, Uncertain as Uncertain, budget as budget
 from .contact import Contact as Contact
 from ._flow import ClosingPressure as ClosingPressure, FlowFactors as FlowFactors, Leak as Leak
 from ._flow import closing_pressure as closing_pressure, flow as flow, flow_factors as flow_factors

@@ -26,7 +26,7 @@ class Stored:
         _STORED[cls.__name__] = cls
 
 
-def _needed(package: str, purpose: str) -> Any:
+def needed(package: str, purpose: str) -> Any:
     try:
         return importlib.import_module(package)
     except ImportError:
@@ -83,7 +83,7 @@ class Answer(Stored):
 
     def to_dataframe(self) -> Any:
         """A pandas DataFrame: one row for each step, with its numbers; maps are left out."""
-        pandas = _needed("pandas", "to_dataframe")
+        pandas = needed("pandas", "to_dataframe")
         columns, counts = self._columns(), self._counts()
         if not counts:
             return pandas.DataFrame([columns])
@@ -93,7 +93,7 @@ class Answer(Stored):
 
     def to_xarray(self) -> Any:
         """An xarray Dataset: numbers of steps, and maps over x and y, which are the points' coordinates [length]."""
-        xarray = _needed("xarray", "to_xarray")
+        xarray = needed("xarray", "to_xarray")
         grid = self._fields()["grid"]
         across = ("y", "x")[-len(grid.shape) :]
         places = {axis: np.arange(n) * h for axis, n, h in zip(across[::-1], grid.shape[::-1], grid.pitch)}

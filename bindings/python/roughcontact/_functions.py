@@ -153,6 +153,12 @@ class RequestFunctions(Protocol):
     rc_request_remark: Callable[[handle, int64_t, rc_remark], rc_status]
     rc_request_note: Callable[[handle, text, double, size_t, text], rc_status]
     rc_request_smooth: Callable[[handle, double, rc_smooth], rc_status]
+    rc_budget_create: Callable[[rc_request_spec, rc_budget_spec, handles], rc_status]
+    rc_budget_destroy: Callable[[handle], None]
+    rc_budget_quantity_count: Callable[[handle], int64_t]
+    rc_budget_source_count: Callable[[handle], int64_t]
+    rc_budget_get_quantity: Callable[[handle, int64_t, rc_budget_quantity], rc_status]
+    rc_budget_get_contribution: Callable[[handle, int64_t, int64_t, rc_budget_contribution], rc_status]
 
 
 class MpiFunctions(Protocol):

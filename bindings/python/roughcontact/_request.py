@@ -47,7 +47,8 @@ CONTROLS = {
 WARNINGS = {_constants.RC_REMARK_BOUNDARY: AssumedBoundary, _constants.RC_REMARK_UNIT: AssumedUnit}
 
 
-def _message() -> str:
+def message_of_request() -> str:
+    """Of the last call of this thread."""
     return str(request_library().rc_request_last_error().decode(errors="replace"))
 
 
@@ -198,11 +199,11 @@ class Request:
             len(maps),
         )
         spec.system = None if own is None else ctypes.addressof(own[0])
-        self._keep = (given, maps)
+        self.spec, self._keep = spec, (given, maps, pairs, structs, own)
         handle = ctypes.c_void_p()
-        check(request_library().rc_request_create(spec, handle), _message)
+        check(request_library().rc_request_create(spec, handle), message_of_request)
         self._handle, self.view = handle, rc_problem_view()
-        check(request_library().rc_request_problem(handle, self.view), _message)
+        check(request_library().rc_request_problem(handle, self.view), message_of_request)
 
     def __del__(self) -> None:
         if self._handle is not None:
@@ -218,14 +219,14 @@ class Request:
         library, found = request_library(), []
         for index in range(library.rc_request_remark_count(self._handle)):
             found.append(rc_remark())
-            check(library.rc_request_remark(self._handle, index, found[-1]), _message)
+            check(library.rc_request_remark(self._handle, index, found[-1]), message_of_request)
         return found
 
     def options(self) -> Dict[str, str]:
         """That the words set."""
         found, key, text = {}, ctypes.c_char_p(), ctypes.c_char_p()
         for index in range(request_library().rc_request_option_count(self._handle)):
-            check(request_library().rc_request_option(self._handle, index, key, text), _message)
+            check(request_library().rc_request_option(self._handle, index, key, text), message_of_request)
             found[(key.value or b"").decode()] = (text.value or b"").decode()
         return found
 
@@ -240,7 +241,7 @@ class Request:
     def note(self, note: str, load: float) -> str:
         """The note of an answer, with words that help, and remarks on doubtful words."""
         text = ctypes.create_string_buffer(2048)
-        check(request_library().rc_request_note(self._handle, note.encode(), load, len(text), text), _message)
+        check(request_library().rc_request_note(self._handle, note.encode(), load, len(text), text), message_of_request)
         return "; ".join(filter(None, [text.value.decode(errors="replace"), *self._said(doubtful=True)]))
 
     def smooth(self, load: float) -> Optional[Smooth]:

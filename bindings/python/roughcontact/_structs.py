@@ -317,6 +317,24 @@ class rc_smooth(Sized):
     members = "size_t struct_size; double width side max_pressure approach; char*160 remark"
 
 
+rc_budget_progress_fn = callback(int32_t, int64_t, int64_t, handle)
+
+
+@struct
+class rc_budget_spec(Sized):
+    members = "size_t struct_size; text sources; handle options; rc_budget_progress_fn progress; handle user"
+
+
+@struct
+class rc_budget_quantity(Sized):
+    members = "size_t struct_size; text name unit sentence; double value standard freedom coverage; int64_t dominant"
+
+
+@struct
+class rc_budget_contribution(Sized):
+    members = "size_t struct_size; text source given; double standard shift first_order sampled share; int64_t solves"
+
+
 rc_gather_fn = callback(text, handle, handle, integers, handle)
 
 

@@ -22,7 +22,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _constants
-from ._answers import _needed
+from ._answers import needed
 from ._arrays import Doubles, Mask, as_doubles, as_mask, as_switch, given
 from ._c import members_for
 from ._calls import check as check_status, conclude, last_message
@@ -57,7 +57,7 @@ class Counts:
 
 def _world(comm: Any) -> Any:
     """The communicator, by default all ranks. Initialises MPI."""
-    mpi = _needed("mpi4py.MPI", "roughcontact.mpi")
+    mpi = needed("mpi4py.MPI", "roughcontact.mpi")
     return mpi.COMM_WORLD if comm is None else comm
 
 
@@ -96,7 +96,7 @@ def gap_from_heights(heights: ArrayLike, comm: Any = None) -> Doubles:
     bad = world.allreduce(int(np.isnan(mine).sum()))
     if bad:
         raise ArgumentError(f"heights have {bad} values that are NaN; make the gap yourself and give a mask")
-    highest = world.allreduce(float(mine.max()) if mine.size else -np.inf, _needed("mpi4py.MPI", "roughcontact.mpi").MAX)
+    highest = world.allreduce(float(mine.max()) if mine.size else -np.inf, needed("mpi4py.MPI", "roughcontact.mpi").MAX)
     gap: Doubles = highest - mine
     return gap
 

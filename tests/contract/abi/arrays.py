@@ -49,7 +49,7 @@ def wrong_places(found):
 
 
 include, cc = pathlib.Path(sys.argv[1]), sys.argv[2]
-headers = sorted(path.name for path in (include / 'roughcontact').glob('*.h'))
+headers = sorted((path.name for path in (include / 'roughcontact').glob('*.h')), key=lambda name: (name == 'budget.h', name))  # it includes others
 before, wrong, used = None, [], set()
 for header in ['roughcontact.h', *(each for each in headers if each != 'roughcontact.h')]:
     found = read([f'roughcontact/{header}'], include, cc, before)

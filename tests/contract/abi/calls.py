@@ -23,7 +23,7 @@ HEADERS = {  # of each library, and its function that has the message
     'roughcontact': ('roughcontact history derivatives direct product analysis law registry ranks', 'rc_last_error'),
     'roughcontact-surface': ('surface', 'rc_surface_last_error'),
     'roughcontact-formats': ('formats', 'rc_surface_read_last_error'),
-    'roughcontact-request': ('request', 'rc_request_last_error'),
+    'roughcontact-request': ('request budget', 'rc_request_last_error'),
     'roughcontact-flow': ('flow', 'rc_flow_last_error'),
 }
 # Arguments that may be null, of all functions or of these.
@@ -35,7 +35,7 @@ MAY_BE_NULL = {
     'lower': 'rc_conductance rc_punch_stiffness', 'upper': 'rc_conductance rc_punch_stiffness',
     'path': 'rc_law_open', 'request': 'rc_request_remark_count', 'q': '', 'psd': '', 'modes': '',
     'spec': 'rc_surface_read rc_surface_read_memory', 'name': 'rc_surface_read_memory', 'out_mask': '',
-    'spikes': '', 'largest': '', 'missing': '',
+    'spikes': '', 'largest': '', 'missing': '', 'budget': 'rc_budget_quantity_count rc_budget_source_count',
 }
 MAY_NOT = 'rc_options_copy rc_contact_set_options rc_request_options'  # be without options
 TEXTS = {'key': b'tol', 'solver': b'nnls', 'inner': b'nnls', 'backend': b'dense', 'kernel': b'love', 'name': b'nm', 'text': b'0.01'}

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """How much there is to learn: the functions and structs that the public headers declare, and the limits that they keep. flow.h,
-request.h and slip (the names in law.h that begin with rc_law_slip) are counted apart, without a limit.
+request.h with budget.h, and slip (the names in law.h that begin with rc_law_slip) are counted apart, without a limit.
 
 counts.py INCLUDE_DIR
 """
@@ -10,7 +10,7 @@ import re
 import sys
 
 LIMITS = {'functions': 100, 'structs': 59}
-APART = {'flow.h': 'flow.h', 'request.h': 'request.h'}
+APART = {'flow.h': 'flow.h', 'request.h': 'request.h', 'budget.h': 'request.h'}
 
 found = collections.defaultdict(lambda: {'functions': set(), 'structs': set()})
 for header in sorted(pathlib.Path(sys.argv[1]).glob('**/*.h')):

@@ -3,6 +3,7 @@
 #include "golden.h"
 
 #include <roughcontact/analysis.h>
+#include <roughcontact/budget.h>
 #include <roughcontact/derivatives.h>
 #include <roughcontact/direct.h>
 #include <roughcontact/flow.h>
@@ -805,6 +806,35 @@ AT(rc_smooth, side, 16);
 AT(rc_smooth, max_pressure, 24);
 AT(rc_smooth, approach, 32);
 AT(rc_smooth, remark, 40);
+
+SIZE(rc_budget_spec, 40);
+AT(rc_budget_spec, struct_size, 0);
+AT(rc_budget_spec, sources, 8);
+AT(rc_budget_spec, options, 16);
+AT(rc_budget_spec, progress, 24);
+AT(rc_budget_spec, user, 32);
+
+SIZE(rc_budget_quantity, 72);
+AT(rc_budget_quantity, struct_size, 0);
+AT(rc_budget_quantity, name, 8);
+AT(rc_budget_quantity, unit, 16);
+AT(rc_budget_quantity, sentence, 24);
+AT(rc_budget_quantity, value, 32);
+AT(rc_budget_quantity, standard, 40);
+AT(rc_budget_quantity, freedom, 48);
+AT(rc_budget_quantity, coverage, 56);
+AT(rc_budget_quantity, dominant, 64);
+
+SIZE(rc_budget_contribution, 72);
+AT(rc_budget_contribution, struct_size, 0);
+AT(rc_budget_contribution, source, 8);
+AT(rc_budget_contribution, given, 16);
+AT(rc_budget_contribution, standard, 24);
+AT(rc_budget_contribution, shift, 32);
+AT(rc_budget_contribution, first_order, 40);
+AT(rc_budget_contribution, sampled, 48);
+AT(rc_budget_contribution, share, 56);
+AT(rc_budget_contribution, solves, 64);
 
 SIZE(rc_exchange, 64);
 AT(rc_exchange, struct_size, 0);

@@ -65,6 +65,7 @@ class Content:
     contact_law: of --law
     statistics, spectrum, law: None where the library for them is absent or points are missing
     persson: rms slope of Persson's line; None if the surface is not one of his theory, elastic, periodic and nearly Gaussian
+    budget: as summary.json has it; None if no budget was asked for
     date: of the day on which the surface was pressed, as 2026-11-27
     bearing: (share of the area that is higher, height)
     """
@@ -81,6 +82,7 @@ class Content:
     histogram: Optional[Histogram]
     patches: Patches
     contact_law: Optional[Law]
+    budget: Optional[Dict[str, Any]]
     date: str
 
     @property
@@ -106,7 +108,8 @@ class Content:
         own = {"stiffness", "resumable", *self.words}
         options = [f"--set={name}={text}" for name, text in self.input["options"].items() if name not in own]
         words = [word for name, text in self.words.items() for word in ("--" + name, text)]
-        return shlex.join(["roughcontact", "solve", self.input["file"], *words, *options])
+        budget = ["--budget", self.budget["sources"]] if self.budget else []
+        return shlex.join(["roughcontact", "solve", self.input["file"], *words, *budget, *options])
 
     @property
     def persson(self) -> Optional[float]:
@@ -217,5 +220,6 @@ def collect(folder: pathlib.Path, curve: bool = False, law: Optional[str] = None
         histogram=analysis.histogram(pressure, BINS, None, **grid) if steps[-1].contacts else None,
         patches=analysis.patches(pressure, **grid),
         contact_law=contact_law,
+        budget=summary.get("budget"),
         date=datetime.date.fromtimestamp((folder / "summary.json").stat().st_mtime).isoformat(),
     )

@@ -1,6 +1,6 @@
 """What a report says in words and tables."""
 
-from typing import Dict, List, Sequence, Tuple
+from typing import Any, Dict, List, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -40,9 +40,10 @@ def leak(step: Step) -> str:
 
 
 def conclusion(content: Content) -> str:
-    """What the last step has shown."""
+    """What the last step has shown, and how sure its area is."""
     last = content.steps[-1]
-    return _conclusion(content, last) + smooth(last) + leak(last)
+    area = next((f" {text}" for text in sentences(content) if text.startswith("Area")), "")
+    return _conclusion(content, last) + area + smooth(last) + leak(last)
 
 
 def _conclusion(content: Content, last: Step) -> str:
@@ -129,6 +130,53 @@ def leak_rows(content: Content) -> List[Tuple[str, ...]]:
         for k, step in enumerate(content.steps, 1)
         if hasattr(step, "leak")
     ]
+
+
+BUDGET_NAMES = ("load", "approach", "area", "mean_pressure", "stiffness", "mean_gap", "conductance")
+
+
+def _quantities(content: Content) -> List[Tuple[str, Dict[str, Any]]]:
+    """Those that a budget knows."""
+    known = content.budget or {}
+    return [(name, known[name]) for name in BUDGET_NAMES if name in known and known[name]["value"] is not None]
+
+
+def sentences(content: Content) -> List[str]:
+    """What dominates each quantity, as the budget says it."""
+    return [
+        f"{quantity['sentence'][0].upper()}{quantity['sentence'][1:]}.".replace("+-", "±")
+        for _, quantity in _quantities(content)
+        if quantity["standard"] > 1e-12 * abs(quantity["value"])
+    ]
+
+
+def budget_head(content: Content) -> Tuple[str, ...]:
+    return ("source", *(name.replace("_", " ") for name, _ in _quantities(content)))
+
+
+def budget_rows(content: Content) -> List[Tuple[str, ...]]:
+    """A row for each source, the combined uncertainty and the coverage; none without a budget."""
+    quantities = [quantity for _, quantity in _quantities(content)]
+    if not quantities:
+        return []
+
+    def shown(value: Optional[float], quantity: Dict[str, Any]) -> str:
+        if value is None:
+            return "not known"
+        return f"{100 * value:.2g} %" if quantity["unit"] == "" else with_prefix(value, quantity["unit"], 2)
+
+    def part(quantity: Dict[str, Any], source: str) -> str:
+        found = quantity["contributions"][source]
+        shift = f", shift {shown(found['shift'], quantity)}" if found["shift"] else ""
+        return shown(found["standard"], quantity) + shift
+
+    sources = quantities[0]["contributions"]
+    rows = [
+        (f"{source} {each['given']}".strip(), *(part(quantity, source) for quantity in quantities))
+        for source, each in sources.items()
+    ]
+    rows.append(("combined", *(shown(quantity["standard"], quantity) for quantity in quantities)))
+    return rows + [("coverage", *(f"{quantity['coverage']:.2f}" for quantity in quantities))]
 
 
 PROOF_HEAD = (
