@@ -12,7 +12,8 @@ import argparse
 import difflib
 import pathlib
 import sys
-from typing import Dict, Sequence
+import textwrap
+from typing import Dict, List, Sequence
 
 try:
     from c_interface import OPTIONAL, SCALARS, Interface, layout, read
@@ -42,17 +43,21 @@ FROM_PLUGIN = ["rc_context_register"]
 FROM_MPI = ["rc_exchange", "rc_ranks_counts"]
 
 
-def golden(headers: Sequence[str], found: Interface) -> str:
-    """The numbers of headers, as C that does not compile if they differ."""
-    lines = ["/* Written by scripts/bindings.py, see golden.h. */", "/* clang-format off */", '#include "golden.h"', "", *[f"#include <{each}>" for each in sorted(headers)], ""]
-    constants = {name: value for each in (*found.enums, found.numbers, found.bits) for name, value in each.items()}
-    for name, value in constants.items():
-        if not name.startswith("RC_VERSION_"):
-            lines.append(f"VALUE({name}, {value if value < 1 << 31 else f'INT64_C({value})'});")
+def filled(words: Sequence[str]) -> str:
+    """Words in lines of at most 132 characters, all but the first indented."""
+    return textwrap.fill(" ".join(words), 132, subsequent_indent="  ", break_long_words=False, break_on_hyphens=False)
+
+
+def golden(found: Interface) -> List[str]:
+    """The numbers of headers: a paragraph for the constants of each enum, one for those of macros, one for each struct."""
+    paragraphs = []
+    for constants in (*found.enums, found.numbers, found.bits):
+        words = [f"{name}={value}" for name, value in constants.items() if not name.startswith("RC_VERSION_")]
+        paragraphs += [filled(words)] if words else []
     for struct in found.structs():
         size, offsets = layout(struct, found.known)
-        lines += ["", f"SIZE({struct.name}, {size});", *[f"AT({struct.name}, {name}, {at});" for name, at in offsets.items()]]
-    return "\n".join([*lines, ""])
+        paragraphs.append(filled([f"{struct.name}={size}", *(f"{name}:{at}" for name, at in offsets.items())]))
+    return paragraphs
 
 
 def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
@@ -189,9 +194,17 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
             ),
             after=["_c", "_structs"],
         ),
-        "tests/contract/abi/golden.c": golden(every, read(every, include, cc)) + "\nint main(void) { return 0; }\n",
-        "tests/contract/abi/golden_plugin.c": golden(["roughcontact/plugin.h"], plugin),
-        "tests/contract/abi/symbols.txt": "".join(f"{name}\n" for name in sorted({**contact.functions, **ranks.functions, **plugin.functions})),
+        "tests/contract/abi/golden.txt": "\n".join(
+            [
+                "# Numbers of the binary interface, written by scripts/bindings.py: constant=value, struct=size, member:offset, functions.",
+                *golden(read(every, include, cc)),
+                "# plugin.h",
+                *golden(plugin),
+                "# functions",
+                filled(sorted({**contact.functions, **ranks.functions, **plugin.functions})),
+                "",
+            ]
+        ),
         "bindings/octave/result_fields.def": "/* Members of rc_result that rc_solve returns in info, under their names. Written by "
         "scripts/bindings.py. */\n" + "\n".join(members) + "\n",
     }

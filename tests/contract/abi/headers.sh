@@ -21,7 +21,7 @@ for compiler in gcc clang x86_64-w64-mingw32-gcc-posix; do
       echo "#include <roughcontact/$(basename "$header")>" | $compiler "${warnings[@]}" -x "$language" -std="$standard" -
     done
     begin | $compiler "${warnings[@]}" -x "$language" -std="$standard" -
-    for numbers in "$here"/golden*.c; do $compiler "${warnings[@]}" -x "$language" -std="$standard" "$numbers"; done
+    "$here"/golden.py | $compiler "${warnings[@]}" "-I$here" -x "$language" -std="$standard" -
     [ "$standard" != c++20 ] ||
       echo "#include <roughcontact/plugin.hpp>" | $compiler -Wall -Wextra -pedantic -Wshadow -Werror -fsyntax-only "-I$include" -x c++ -std="$standard" -
     echo "$compiler $standard: ok"

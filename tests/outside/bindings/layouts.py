@@ -41,17 +41,18 @@ end program
 
 def main() -> int:
     source, compiler, libraries, modules = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3], sys.argv[4:]
-    golden = (source / "tests" / "contract" / "abi" / "golden.c").read_text()
+    sys.path.insert(0, str(source / "tests" / "contract" / "abi"))
+    constants, sizes, offsets, _ = __import__("golden").numbers(plugin=False)
     texts = {file.stem: file.read_text() for file in (source / "include" / "roughcontact").glob("*.h")}
     flow = ["flow"] if "roughcontact_flow.f90" in modules else []  # where it is built
     headers, of_c = "".join(texts.values()), "".join(texts[name] for name in ("flow", "request") if name not in flow)
     calls, bodies, structs = [], [], 0
     begun = ["#include <string.h>", *(f"#include <roughcontact/{name}.h>" for name in (*HEADERS, *flow))]
-    for name, value in re.findall(r"^VALUE\((\w+), (-?\d+)\);", golden, re.M):
+    for name, value in constants.items():
         if not re.search(rf"\b{name}\b", of_c):
             calls.append(f"  call check('{name}', int({name}, c_size_t), {value})")
-    for struct, size in re.findall(r"^SIZE\((rc_\w+), (\d+)\);", golden, re.M):
-        members = re.findall(rf"^AT\({struct}, (\w+), (\d+)\);", golden, re.M)
+    for struct, size in sizes.items():
+        members = offsets[struct].items()
         if not members or struct in OF_C or f"}} {struct};" in of_c:
             continue  # a number, or not in the modules
         structs += 1
@@ -61,7 +62,7 @@ def main() -> int:
             f"integer(c_int8_t) :: ours({size}), theirs({size})",
             f"call check('{struct}', storage_size(x, c_size_t) / 8, {size})",
         ]
-        if ("struct_size", "0") in members:
+        if ("struct_size", 0) in members:
             lines.append(f"call check('{struct}%struct_size', x%struct_size, {size})")
         lines += [
             f"call check('{struct}%{member}', distance(c_loc(x%{member}), c_loc(x)), {offset})" for member, offset in members

@@ -3,14 +3,14 @@
 import ctypes
 import dataclasses
 import pathlib
-import re
+import sys
 
 import pytest
 
 import roughcontact as rc
 from roughcontact import raw
 
-GOLDEN = pathlib.Path(__file__).resolve().parents[3] / "tests" / "contract" / "abi" / "golden.c"
+GOLDEN = pathlib.Path(__file__).resolve().parents[3] / "tests" / "contract" / "abi"
 STRUCTS = {
     name: each
     for name, each in vars(raw).items()
@@ -18,21 +18,22 @@ STRUCTS = {
 }
 
 
-@pytest.mark.skipif(not GOLDEN.exists(), reason="the golden numbers are not beside the tests")
+@pytest.mark.skipif(not (GOLDEN / "golden.txt").exists(), reason="the golden numbers are not beside the tests")
 def test_structs_and_constants_are_those_of_c():
-    golden, seen = GOLDEN.read_text(), 0
-    for name, size in re.findall(r"^SIZE\((\w+), (\d+)\);", golden, re.M):
+    sys.path.insert(0, str(GOLDEN))
+    constants, sizes, offsets, _ = __import__("golden").numbers()
+    seen = 0
+    for name, size in sizes.items():
         if name in STRUCTS:
-            assert ctypes.sizeof(STRUCTS[name]) == int(size), name
-            members = re.findall(rf"^AT\({name}, (\w+), (\d+)\);", golden, re.M)
+            assert ctypes.sizeof(STRUCTS[name]) == size, name
+            members = offsets[name].items()
             assert [(member, getattr(STRUCTS[name], member).offset) for member, _ in members] == [
-                (member, int(offset)) for member, offset in members
+                (member, offset) for member, offset in members
             ]
             assert [member for member, _ in members] == [member for member, _ in STRUCTS[name]._fields_]
             seen += 1
     assert seen == len(STRUCTS)
-    values = re.findall(r"^VALUE\((\w+), (-?\d+)\);", golden, re.M)
-    assert {getattr(raw, name) - int(value) for name, value in values if hasattr(raw, name)} == {0}
+    assert {getattr(raw, name) - value for name, value in constants.items() if hasattr(raw, name)} == {0}
 
 
 def test_a_new_struct_has_the_values_of_the_macros():
