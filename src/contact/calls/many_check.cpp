@@ -11,6 +11,7 @@
 #include "core/certificate_terms.h"
 #include "core/error.h"
 #include "core/grid.h"
+#include "core/limits.h"
 
 namespace rc {
 
@@ -21,8 +22,6 @@ constexpr std::size_t block = 64, least_anew = 8;
 // Residuals computed anew may differ by this share of tol from those reported. Answers that report more than near_tol times tol
 // are all computed anew, so that this difference cannot lift one above tol.
 constexpr double allowed_share = 0.25, near_tol = 0.5;
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 struct Sums {
   double sum = 0, absolute = 0, largest = 0, least = 0;
