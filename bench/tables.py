@@ -1,4 +1,6 @@
-"""Tables of records: for a terminal, and in Markdown for documents, between the markers that name them."""
+"""Tables of records: for a terminal, and in Markdown or as CSV for documents, between the markers that name them."""
+import csv
+import os
 import re
 import string
 import sys
@@ -73,13 +75,39 @@ def provenance(document):
             f'({known["commit"]}); {known["date"][:10]}; load average at the start {known["load_average_at_start"]:.1f}.')
 
 
+def lines_of(markdown):
+    """The cells of a table in Markdown, titles first."""
+    titles, _, *lines = markdown.strip().split('\n')
+    return [[text.strip().replace('\\|', '|') for text in re.split(r'(?<!\\)\|', line.strip()[1:-1])] for line in (titles, *lines)]
+
+
+def stored(body, folder, name):
+    """The body with a link in place of each table, which is written to this file of the folder, a second one to NAME-2.csv."""
+    files = []
+
+    def write(match):
+        files.append(name if not files else name.replace('.csv', f'-{len(files) + 1}.csv'))
+        place = os.path.join(folder, files[-1])
+        os.makedirs(os.path.dirname(place), exist_ok=True)
+        with open(place, 'w', encoding='utf-8', newline='') as out:
+            csv.writer(out, lineterminator='\n').writerows(lines_of(match[0]))
+        return f'[{os.path.basename(files[-1])}]({files[-1]})\n'
+
+    return re.sub(r'(?:^\|.*(?:\n|$))+', write, body, flags=re.MULTILINE).rstrip('\n')
+
+
 def fill(file, sections):
-    """Replaces what stands between the markers of each section of a document."""
+    """Replaces what stands between the markers of each section of a document. If the first marker ends with "as tables/NAME.csv", the
+    section's tables are in that file, and the document has a link to it."""
     with open(file, encoding='utf-8') as source:
         text = source.read()
     for name, body in sections.items():
-        pattern = re.compile(f'(<!-- begin {name} -->\n).*?(<!-- end {name} -->)', re.DOTALL)
-        text, count = pattern.subn(lambda match: match[1] + body + '\n' + match[2], text)
+        pattern = re.compile(f'(<!-- begin {name}(?: as (\\S+))? -->\n).*?(<!-- end {name} -->)', re.DOTALL)
+
+        def filled(match):
+            return match[1] + (stored(body, os.path.dirname(file), match[2]) if match[2] else body) + '\n' + match[3]
+
+        text, count = pattern.subn(filled, text)
         if count != 1:
             sys.exit(f'{file}: no markers "begin {name}" and "end {name}"')
     with open(file, 'w', encoding='utf-8') as out:

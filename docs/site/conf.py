@@ -55,8 +55,11 @@ how-to/two-maps
 how-to/rough-ball
 how-to/free-or-periodic
 how-to/modulus-and-units
+how-to/uncertainty
 how-to/conductance
+how-to/slip
 how-to/seals
+how-to/flow-factors
 how-to/campaigns
 how-to/limits
 how-to/tolerance
@@ -64,6 +67,7 @@ physics
 how-to/cite
 surface-files
 command-line
+words
 ```
 
 ```{toctree}
@@ -92,6 +96,9 @@ how-to/calculix
 ../integrations/4c/README
 ../integrations/mirco/README
 ../integrations/gapflow/README
+../integrations/abaqus/README
+../integrations/moose/README
+../integrations/two-blocks/README
 ```
 
 ```{toctree}
@@ -118,6 +125,7 @@ development/*
 ../packaging/README
 ../backends/*/README
 ../src/solvers/haar_cg/README
+../src/solvers/haar_cg/constants
 ../fuzz/README
 ../integrations/calculix/README
 ../integrations/calculix/LICENSE

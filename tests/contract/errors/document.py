@@ -1,8 +1,11 @@
-"""Compares the generated part of docs/development/errors.md with the test's table; --update rewrites it. The page has each kind
-of message once, with its status: functions and numbers may differ. The test's table has the inputs.
+"""Compares the generated part of docs/development/errors.md, the statuses, and tables/errors.csv beside it, the messages, with the
+test's table; --update rewrites both. The file has each kind of message once, with its status: functions and numbers may differ. The
+test's table has the inputs.
 
 Usage: document.py TEST_PROGRAM DOCUMENT [--update]
 """
+import csv
+import io
 import pathlib
 import re
 import subprocess
@@ -20,26 +23,30 @@ def kind(message):
     return re.sub(r"-?\d[\d.]*(e[-+]\d+)?|\bnan\b|\binf\b", "#", re.sub(r"^rc_\w+: ", "", message))
 
 
-def messages(table):
-    """The sections of the table, with the messages of each status, a line each."""
-    kept = []
+def parts(table):
+    """(the section of statuses, rows of the others: subject, status, message)"""
+    statuses, rows = "", [("subject", "status", "message")]
     for section in re.split(r"(?=^## )", table, flags=re.M)[1:]:
         title, *lines = section.strip().split("\n")
-        if title[3:] in UNTOLD:
-            continue
-        if title != "## Statuses":
+        if title == "## Statuses":
+            statuses = "\n".join([title, *lines]) + "\n"
+        elif title[3:] not in UNTOLD:
             found = {}
             for line in lines[3:]:
                 _, status, message = re.split(r"(?<!\\) \| ", line[2:-2])
                 message = message.strip("`").rstrip().replace("\\|", "|")
                 if message:
                     found.setdefault(status, {}).setdefault(kind(message), message)
-            lines = [line for status, each in found.items() for line in ("", status, "", "```text", *each.values(), "```")]
-        kept.append("\n".join([title, *lines]))
-    return "\n\n".join(kept) + "\n"
+            rows += [(title[3:], status.strip("`"), message) for status, each in found.items() for message in each.values()]
+    return statuses, rows
 
 
 if __name__ == "__main__":
     program, document = sys.argv[1:3]
-    table = subprocess.run([program, "--document"], check=True, capture_output=True, text=True).stdout
-    generated.compare(document, MARK, messages(table), "the test's table", "--update" in sys.argv[3:])
+    printed = subprocess.run([program, "--document"], check=True, capture_output=True, text=True).stdout
+    statuses, rows = parts(printed)
+    text = io.StringIO()
+    csv.writer(text, lineterminator="\n").writerows(rows)
+    update = "--update" in sys.argv[3:]
+    generated.compare(pathlib.Path(document).parent / "tables/errors.csv", "", text.getvalue(), "the test's table", update)
+    generated.compare(document, MARK, statuses, "the test's table", update)

@@ -1,4 +1,5 @@
 """The program under test: BUILD is the first argument of every test here. Times decide nothing."""
+import csv
 import os
 import re
 import shutil
@@ -15,6 +16,7 @@ if 'RC_BENCH_BUILD' not in os.environ:  # the test runs in the program's environ
     os.execvp('sh', ['sh', '-c', f'{start}\nexec {sys.executable} -B {os.path.abspath(sys.argv[0])} {" ".join(sys.argv[1:])}'])
 
 from json_tables import load
+from tables import table
 
 
 def run(*arguments):
@@ -28,9 +30,16 @@ def counts(output):
 
 
 def sections(folder, page):
-    """What stands between the markers of a page."""
+    """What stands between the markers of a page, with the tables of its files."""
     with open(os.path.join(folder, page + '.md'), encoding='utf-8') as file:
-        return dict(re.findall('<!-- begin (.*?) -->\n(.*?)<!-- end .*? -->', file.read(), re.DOTALL))
+        found = re.findall(r'<!-- begin (\S+)(?: as \S+)? -->\n(.*?)<!-- end .*? -->', file.read(), re.DOTALL)
+
+    def shown(match):
+        with open(os.path.join(folder, match[1]), encoding='utf-8', newline='') as file:
+            titles, *lines = csv.reader(file)
+        return table(titles, lines)
+
+    return {name: re.sub(r'\[.*?\]\((\S+\.csv)\)', shown, text) for name, text in found}
 
 
 def remade(page, *options):

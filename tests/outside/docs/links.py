@@ -1,5 +1,6 @@
 """Every relative link and picture of a page leads to a file of the source tree, every anchor to a heading, and every page and picture
-of docs is reached from a page. Needs no network: links to other sites are not followed.
+of docs is reached from a page. The pages have no more words than CONTRIBUTING.md allows. Needs no network: links to other sites are
+not followed.
 """
 
 import collections
@@ -8,6 +9,9 @@ import sys
 import urllib.parse
 
 from pages import SOURCE, pages, without_blocks
+
+
+MOST_WORDS = {'users': (('docs', 'docs/how-to'), 42000), 'developers': (('docs/development',), 30000)}
 
 
 def anchors(text):
@@ -43,11 +47,14 @@ def main():
                 wrong.append(f'{where}: no heading has this anchor')
     alone = [
         file
-        for pattern in ('*.md', 'images/*', '*/*.md', 'gallery/*')
+        for pattern in ('*.md', 'images/*', '*/*.md', 'gallery/*', 'development/tables/*')
         for file in (SOURCE / 'docs').glob(pattern)
         if file.is_file() and file not in reached
     ]
     wrong += [f'{file.relative_to(SOURCE)}: no page links to it' for file in alone]
+    for reader, (folders, most) in MOST_WORDS.items():
+        words = sum(len(text.split()) for page, text in texts.items() if str(page.parent.relative_to(SOURCE)) in folders)
+        wrong += [f'the pages for {reader} have {words} words, at most {most} are allowed'] if words > most else []
     print('\n'.join(wrong))
     print(f'{count} links on {len(texts)} pages, {len(wrong)} wrong')
     return 1 if wrong or not count else 0
