@@ -44,7 +44,7 @@ class ContactLaw {
   static double square_stiffness(double modulus, double side) { return modulus * side / 0.86783; }
 
   // Makes the contact law of the patch (<roughcontact/law.h>) between these nominal pressures. From then on evaluate() takes it
-  // where the history allows it, which takes a fraction of a microsecond:
+  // where the history allows it, which takes 10 to 100 ns:
   //   without a hardness   always, because elastic contact without friction has no history
   //   with one             at displacements that no step has exceeded, because a law describes first loading
   // All other trials are solved: unloading, loading again up to the largest displacement, and pressures beyond the law's. Forces

@@ -22,8 +22,8 @@ typedef struct rc_columns {
   rc_array mean_gap;    /* out [length]; if wanted, g is computed at all points, as for a gap that is wanted       */
   rc_array energy;      /* out [force length]                                                                        */
   rc_array stiffness;   /* out, dW/dd [force/length]; if wanted it is computed, whatever option stiffness is       */
-  rc_array load_lower, load_upper; /* out, proven interval as in rc_result [force]; if one of these six outputs is wanted,
-                           intervals are proven, whatever option bounds is                                           */
+  rc_array load_lower, load_upper; /* out, proven interval as in rc_result [force]; if one that ends with _lower
+                           or _upper is wanted, intervals are proven, whatever option bounds is                      */
   rc_array area_lower, area_upper; /* out [length^2]                                                                 */
   rc_array stiffness_lower, stiffness_upper; /* out [force/length]; if one is wanted, option stiffness counts as 2 */
   rc_array certificate; /* out, the largest kkt_* residual                                                           */

@@ -1,4 +1,4 @@
-"""Certified normal contact of rough surfaces on an elastic half-space.
+"""Certified normal contact of rough surfaces on an elastic half-space: a checked solution, not a calibrated instrument.
 
     import roughcontact as rc
     result = rc.solve(heights, pitch=1e-6, modulus=100e9, approach=1e-6)

@@ -339,7 +339,8 @@ def certificate(content: Content) -> str:
     told = (
         f"{certified} of {len(content.steps)} steps are certified: a fresh product with the influence matrix has shown that every "
         "residual of the conditions of contact (no tension, no overlap, pressure only where the gap is closed, the load) is within "
-        "the limit. The intervals hold the exact load and contact area of this grid at the approach found."
+        "the limit. That is a checked solution, not a calibrated instrument. The intervals hold the exact load and contact area of "
+        "this grid at the approach found."
     )
     if within:
         told += f" {within} were solved on a coarser grid, within the goal of option accuracy: their errors are estimates, not proven."
