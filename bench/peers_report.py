@@ -4,6 +4,7 @@ import math
 import os
 from statistics import median_low
 
+import headline
 from charts import Panels, axes, decades, ticks
 from peers_codes import CODES, LEVELS
 from samples import chosen, groups, rows_of, total_seconds as total
@@ -153,8 +154,23 @@ def draw(document, file, panels):
     drawing.draw(file, [(document['codes'][name]['title'], look(name)) for name in names], 2)
 
 
+def headline_picture(document, file):
+    """The contacts of README.md: all runs whose answers are certified to some level."""
+    runs = {case: {} for case in headline.CASES}
+    for group in document['groups']:
+        found = [(total(run), run['residual']) for run in rows_of(group['runs']) if run.get('residual')] if group['case'] in runs else []
+        if found:
+            runs[group['case']][group['code']] = found
+    if not all('ours' in found for found in runs.values()):
+        return  # other contacts were measured
+    below = ('{cpu}, {threads} threads, second solves, {date:.10}, load average {load_average_at_start:.1f} at the start.'.format(**document['provenance']),
+             'Every answer is judged by one certificate. The textbook program is for free edges only.')
+    headline.draw(file, runs, below)
+
+
 def pictures(results, images):
     document, boundaries = load(results, 'peers'), ('free', 'periodic')
+    headline_picture(document, os.path.join(images, 'headline.svg'))
 
     def time_to(level):
         return lambda case, group: total(run) if (run := best(group, level)) else None

@@ -1,7 +1,6 @@
 """Rows of pareto.json, what they say about methods and grids, and the tables and pictures of docs/development/speed-accuracy.md."""
 import os
 
-import headline
 from charts import Panels, axes, decades, line, style
 from goals import goal_section
 from samples import chosen, groups, median, rows_of
@@ -335,20 +334,10 @@ def grid_picture(document, file):
     drawing.draw(file, [(name, style(number)) for number, name in enumerate(names)], 3)
 
 
-def headline_picture(document, file):
-    """The contact of README.md."""
-    for case in cases(document, scene='self-affine', contact=0.1):
-        peers = groups([row for row in of_case(document, 'peers', case) if 'error' not in row], 'code')
-        found = {**lines(document, case), **{code: rows for (code,), rows in peers.items()}}
-        headline.draw(file, {code: clipped(found[code], 'pressure_error') for code in headline.CODES if code in found},
-                      max(grid_error(document, case, 'pressure_error') or 0, LEAST))
-
-
 def pictures(results, images):
     document = load(results, 'pareto')
     shown = best_known(document, ('hertz', 0.1), ('self-affine', 0.1), ('rmd-0.7', 0.4), ('afm_film', 0.1))
     if not shown:
         return
     errors_picture(document, os.path.join(images, 'speed-accuracy.png'), shown)
-    headline_picture(document, os.path.join(images, 'headline.svg'))
     grid_picture(document, os.path.join(images, 'speed-accuracy-grids.png'))
