@@ -28,18 +28,20 @@ std::vector<Extent> extents_below(double limit, const StepSurface& surface) {
   const std::int64_t columns = tiles.columns(), nx = tiles.nx;
   std::vector<Extent> rows(static_cast<std::size_t>(tiles.rows()));
   surface.points().each(tiles.rows(), [&](std::int64_t row) {
+    const double* const lowest = tiles.lowest.data() + row * columns;
+    Extent& extent = rows[static_cast<std::size_t>(row)];
     surface.gap().visit([&](const auto* gap) {
-      for (std::int64_t y = row * tile; y < std::min((row + 1) * tile, tiles.ny); ++y)
+      for (std::int64_t y = row * tile; y < std::min((row + 1) * tile, tiles.ny); ++y) {
+        const auto* const of_row = gap + y * nx;
+        const std::uint8_t* const mask = surface.mask().empty() ? nullptr : surface.mask().data() + y * nx;
+        const auto below = [&](std::int64_t x) { return static_cast<double>(of_row[x]) < limit; };
+        const auto included_below = [&](std::int64_t x) { return below(x) && mask[x] != 0; };
         for (std::int64_t column = 0; column < columns; ++column) {
-          if (!(tiles.lowest[static_cast<std::size_t>(row * columns + column)] < limit)) continue;
-          const auto* const of_row = gap + y * nx;
-          const std::uint8_t* const mask = surface.mask().empty() ? nullptr : surface.mask().data() + y * nx;
-          const auto below = [&](std::int64_t x) { return static_cast<double>(of_row[x]) < limit; };
-          const auto included_below = [&](std::int64_t x) { return below(x) && mask[x] != 0; };
+          if (!(lowest[column] < limit)) continue;
           const std::int64_t begin = column * tile, end = std::min(begin + tile, nx);
-          Extent& extent = rows[static_cast<std::size_t>(row)];
           mask ? add_below(included_below, begin, end, y, extent) : add_below(below, begin, end, y, extent);
         }
+      }
     });
   });
   return rows;

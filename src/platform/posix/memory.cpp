@@ -9,10 +9,14 @@
 
 namespace rc_platform {
 
+// The system is asked once: choosing components needs the number several times a step, and a small step would notice the calls.
 double machine_bytes() {
-  const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGE_SIZE);
-  if (pages <= 0 || page <= 0) return std::numeric_limits<double>::infinity();
-  return std::min(static_cast<double>(pages) * static_cast<double>(page), static_cast<double>(PTRDIFF_MAX));
+  static const double bytes = [] {
+    const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGE_SIZE);
+    if (pages <= 0 || page <= 0) return std::numeric_limits<double>::infinity();
+    return std::min(static_cast<double>(pages) * static_cast<double>(page), static_cast<double>(PTRDIFF_MAX));
+  }();
+  return bytes;
 }
 
 void prefer_large_pages(void* begin, std::size_t bytes) {
