@@ -38,10 +38,9 @@ std::int64_t count(const GridProblem& problem, std::span<const std::int64_t> poi
   return problem.surface.points().rows().united(static_cast<std::int64_t>(points.size()));
 }
 
-enum class Wanted { form, rate, proof };  // to the tolerance: the form alone; or x, of which the form has twice the digits
-
+// The stiffness, and with `proven` the bound of its error, to the tolerance: x has half the digits.
 FlatPunch pressed(const GridProblem& problem, Operator& op, std::span<const std::int64_t> set, std::vector<double> start,
-                  Wanted wanted) {
+                  bool proven) {
   SubsetSolve solve(problem, op, set);
   FlatPunch punch{RC_OK, std::move(start), {}, solve.mean()};
   std::vector<double> ones;
@@ -51,14 +50,13 @@ FlatPunch pressed(const GridProblem& problem, Operator& op, std::span<const std:
   });
   const double tol = std::max(problem.options.real(RC_OPT_TOL), least_tol);
   double residual = std::min(tol, most_tol);
-  punch.status = wanted == Wanted::form ? solve.form(ones, residual, punch.rate, punch.bound)
-                                        : solve(ones, residual, punch.rate, punch.bound);
+  punch.status = solve.form(ones, residual, punch.rate, punch.bound);
   // Where few points of a period are left out, 1 - mean 1'x is close to 0, and 1'x is needed to more digits than the stiffness.
   while (punch.status == RC_OK && solve.iterates() && !punch.bound.settles(tol, punch.mean) && residual > finest_residual) {
     residual = std::max(0.1 * residual, finest_residual);
     punch.status = solve(ones, residual, punch.rate, punch.bound);
   }
-  if (wanted == Wanted::proof && punch.status == RC_OK) punch.status = solve.prove(ones, punch.rate, punch.bound);
+  if (proven && punch.status == RC_OK) punch.status = solve.prove(ones, punch.rate, punch.bound);
   if (solve.iterates())
     problem.options.context->log(
         RC_LOG_INFO, join("stiffness: residual ", punch.bound.residual / std::sqrt(static_cast<double>(count(problem, set)))));
@@ -69,6 +67,8 @@ double in_units(const System& system, double stiffness) { return stiffness * sys
 
 // The punch on a set of points of the grid; those it starts from are a part of `from`, or hold it.
 FlatPunch pressed_at(const GridProblem& problem, Operator& op, const std::vector<std::int64_t>& points, const Stiffness& from) {
+  if (from.op == &op && !std::isnan(from.bound.error) && problem.rows().united(std::int64_t{points != from.points}) == 0)
+    return {RC_OK, {}, from.bound, from.mean};
   TrialSet trial;
   std::vector<double> start;
   std::optional<std::vector<std::int64_t>> positions;
@@ -86,7 +86,7 @@ FlatPunch pressed_at(const GridProblem& problem, Operator& op, const std::vector
     op.bind(trial);
     positions = positions_in(trial, points);
   }
-  return pressed(problem, op, *positions, std::move(start), Wanted::proof);
+  return pressed(problem, op, *positions, std::move(start), true);
 }
 
 }  // namespace
@@ -96,7 +96,7 @@ Stiffness stiffness(const GridProblem& problem, const Answer& answer) {
   Stiffness result;
   result.value = 0;
   if (!answer.op) return result;
-  const bool interval = problem.options.integer(RC_OPT_STIFFNESS) > 1;  // which may be narrower than the tolerance
+  const bool interval = problem.options.integer(RC_OPT_STIFFNESS) > 1;
   std::vector<std::int64_t> contact;
   std::vector<double> grown;
   problem.rows().on_all([&] {
@@ -105,7 +105,7 @@ Stiffness stiffness(const GridProblem& problem, const Answer& answer) {
     // Between points in contact at both approaches the pressures have grown as a flat punch's do.
     for (const std::int64_t position : contact) {
       const auto i = static_cast<std::size_t>(position);
-      if (!interval && !answer.before.empty()) grown.push_back(answer.p[i] * answer.units.pressure - answer.before[i]);
+      if (!answer.before.empty()) grown.push_back(answer.p[i] * answer.units.pressure - answer.before[i]);
     }
   });
   const std::int64_t contacts = count(problem, contact);
@@ -114,12 +114,15 @@ Stiffness stiffness(const GridProblem& problem, const Answer& answer) {
     result.value = unbounded;
     return result;
   }
-  FlatPunch punch = pressed(problem, *answer.op, contact, std::move(grown), interval ? Wanted::rate : Wanted::form);
+  FlatPunch punch = pressed(problem, *answer.op, contact, std::move(grown), false);
   result.value = punch.found() ? in_units(system, punch.stiffness(punch.bound.form)) : std::numeric_limits<double>::quiet_NaN();
   if (!punch.found() || !interval) return result;
   for (std::int64_t& position : contact) position = answer.op->trial().point(position);
   result.points = std::move(contact);
   result.rate = std::move(punch.rate);
+  result.op = answer.op;
+  result.bound = punch.bound;
+  result.mean = punch.mean;
   return result;
 }
 

@@ -7,6 +7,7 @@
 
 #include "contact/answer.h"
 #include "contact/problem.h"
+#include "contact/slopes/contact_set_solve.h"
 
 namespace rc {
 
@@ -17,8 +18,12 @@ struct StiffnessInterval {
 };
 
 struct Stiffness : StiffnessInterval {
-  std::vector<std::int64_t> points;  // the contact set, and H^-1 1 on it, where an interval may be asked for
+  // Where an interval may be asked for: the contact set, H^-1 1 on it, and the bound that these products gave it.
+  std::vector<std::int64_t> points;
   std::vector<double> rate;
+  const Operator* op = nullptr;
+  ContactSetBound bound;
+  double mean = 0;  // what the solve added to H
 };
 
 // hx hy 1' H_CC^-1 1 on the points C with 0 < p < hardness; NaN where a stop came before it was found.
