@@ -38,7 +38,7 @@ class Reader {
   Reader(const Words& words, const rc_request& base) : words_(words), base_(base) {}
 
   Source source(const Key& key, std::string_view value) const {
-    Source made{key.second, std::string(key.first), std::string(value)};
+    Source made{.kind = key.second, .name = std::string(key.first), .given = std::string(value)};
     const std::string where = spelt(key.first);
     const bool bare = value.empty(), may_be_bare = made.kind == Kind::missing || made.kind == Kind::grid;
     if (bare && !may_be_bare) throw Error(where, " has no value, give its uncertainty as in noise=20nm,pitch=1%,E=5%");
@@ -181,7 +181,8 @@ Sources read_sources(const char* text, const Words& words, const rc_request& bas
   Sources found;
   double correlation = 0;
   for (const std::string_view each : split(text, ',')) {
-    const auto [key, value] = setting_of(each);
+    const Setting setting = setting_of(each);
+    const std::string_view key = setting.key, value = setting.value;
     const std::size_t place = choice("source", key, names);
     if (place < std::size(keys)) {
       if (std::ranges::any_of(found.all, [&](const Source& other) { return other.name == key; }))
@@ -198,7 +199,7 @@ Sources read_sources(const char* text, const Words& words, const rc_request& bas
   const auto noise = std::ranges::find(found.all, Kind::noise, &Source::kind);
   if (correlation > 0 && noise == found.all.end()) throw Error("source correlation is of noise, which is not given");
   if (correlation > 0) noise->correlation = correlation;
-  found.all.push_back({Kind::solver, "solver", ""});
+  found.all.push_back({.kind = Kind::solver, .name = "solver"});
   return found;
 }
 

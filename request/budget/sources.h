@@ -14,10 +14,10 @@ enum class Kind { noise, word, pitch, height, bandwidth, remove, missing, shift,
 
 struct Source {
   Kind kind;
-  std::string name, given;
+  std::string name, given{};
   double size = 0;         // noise, bandwidth, shift [length]; word, pitch, height: relative; window: parts a side
   double correlation = 0;  // of noise [length]; 0: independent
-  std::string value;       // remove, missing: in place of what the request has
+  std::string value{};     // remove, missing: in place of what the request has
 };
 
 struct Sources {
