@@ -50,6 +50,7 @@ static rc_status keep(Request* request, rc_status status, const char* text) {
   return status;
 }
 static rc_status keep_message(Request* request, rc_status status) { return keep(request, status, rc_last_error()); }
+static rc_status keep_refusal(Request* request, rc_status status) { return keep(request, status, rc_request_last_error()); }
 
 /* The own objections of rc_solve, with printf's formats. */
 static rc_status refuse(Request* request, rc_status status, const char* format, ...) {
@@ -77,10 +78,10 @@ static rc_status read_words(Request* request) {
   spec.n_words = request->n;
   spec.maps = &request->map;
   spec.n_maps = 1;
-  rc_status status = keep(request, rc_request_create(&spec, &request->request), rc_request_last_error());
-  if (status == RC_OK) status = keep(request, rc_request_problem(request->request, &request->view), rc_request_last_error());
+  rc_status status = keep_refusal(request, rc_request_create(&spec, &request->request));
+  if (status == RC_OK) status = keep_refusal(request, rc_request_problem(request->request, &request->view));
   if (status == RC_OK) status = keep_message(request, rc_options_create(NULL, &request->options));
-  if (status == RC_OK) status = keep(request, rc_request_options(request->request, request->options), rc_request_last_error());
+  if (status == RC_OK) status = keep_refusal(request, rc_request_options(request->request, request->options));
   return status;
 }
 
@@ -199,7 +200,7 @@ static void check(Request* request, rc_status status) {
   char id[64];
   snprintf(id, sizeof id, "roughcontact:%s", rc_status_name(status));
   close_request(request);
-  mexErrMsgIdAndTxt(id, "rc_solve: %s", request->message);
+  mexErrMsgIdAndTxt(id, "%s", request->message); /* both programs name the function before it */
 }
 
 /* The values of a real matrix as doubles; memory that is taken for it is MEX's, freed when the function ends. */

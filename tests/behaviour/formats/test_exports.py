@@ -29,9 +29,6 @@ class Exports(ReaderTest):
         self.assert_reads(name, text, z * NM, (PITCH, PITCH), atol=1e-14, **more)
         return self.solve(name, *PRESS, "--boundary", "periodic").stderr
 
-    def test_a_preamble_of_two_lines(self):
-        self.assert_right("a.csv", "Confocal export\nPixel size: 0.5 um, Value units: nm\n".replace(", ", "\n") + rows(","))
-
     def test_a_preamble_of_ten_lines_with_numbers_in_it(self):
         head = ("Instrument;ProfilerX 3000\nOperator;A. Smith\nDate;2024-03-11 10:22:31\n12,5;3\nObjective;50x\nNA;0.8\nX-Pixels;16\nY-Pixels;12\n"
                 "Pixel size;0.5 um\nZ-Unit;nm\n")
@@ -44,23 +41,10 @@ class Exports(ReaderTest):
             self.assert_right("a.csv", head + rows(separator, comma=True))
         self.assert_right("a.csv", "Messung 7\n3,5;2\nPixel size;0,5 um\nZ-Unit;nm\n" + rows(";", comma=True))
 
-    def test_empty_fields_are_missing(self):
-        z = Z.copy()
-        z[3, 4] = z[0, 0] = z[8, 10] = z[8, 11] = z[-1, -1] = np.nan
-        for separator in (",", ";", "\t"):
-            text = "Width: 8 um\nHeight: 6 um\nValue units: nm\n" + rows(separator, z)
-            self.assert_reads("a.csv", text, z * NM, (PITCH, PITCH), atol=1e-14)
-            self.assert_fails("solve", "a.csv", *PRESS, says=["5 missing values of 192", "--missing fill"])
-            self.solve("a.csv", *PRESS, "--missing", "fill")
-
     def test_units_of_columns(self):
         self.assert_right("a.csv", "Export of points\nX [mm];Y [um];Z [nm]\n" + points())
         self.assert_right("a.txt", "X/mm\tY/um\tZ/nm\n" + points(separator="\t", comma=True))
         self.assert_refused("a.csv", "X [mm];Y [mm];Z [V]\n" + points(), '"V" is not a length')
-
-    def test_points_in_any_order(self):
-        order = np.random.default_rng(1).permutation(NX * NY)
-        self.assert_right("a.csv", "X (mm), Y (um), Z (nm)\n" + points(order, ","))
 
     def test_nanoscope_ascii(self):
         for head in ("Scan size: 8 um\nSamps/line: 16\nLines: 12\nZ-Unit: nm\n", "# Scan Size: 8000 nm\n# Samps/line: 16\n# Number of lines: 12\n# Value units: nm\n"):
@@ -70,18 +54,6 @@ class Exports(ReaderTest):
     def test_separators_that_end_lines_and_words_after_them(self):
         text = "Pixel size: 0.5 um\nZ-Unit: nm\n" + rows(",", end=",") + "\nEnd of data\n"
         self.assertIn("words after the numbers are not read", self.assert_right("a.csv", text))
-
-    def test_a_tilt_is_remarked(self):
-        z = Z + 600 * np.arange(NX)
-        said = self.assert_right("a.csv", "Pixel size: 0.5 um\nZ-Unit: nm\n" + rows(",", z), z)
-        self.assertIn("--remove plane", said)
-
-    def test_a_spike_is_remarked(self):
-        z = Z.copy()
-        z[5, 5] += 5e5
-        said = self.assert_right("a.csv", "Pixel size: 0.5 um\nZ-Unit: nm\n" + rows(",", z), z)
-        self.assertIn("which --despike 10 takes out", said)
-        self.assertIn("1 spike taken out", self.solve("a.csv", *PRESS, "--boundary", "periodic", "--despike", "10").stderr)
 
 
 class Damaged(ReaderTest):

@@ -1,5 +1,4 @@
 """Units of files: read at every place where exports name them, said where they are assumed, refused where they contradict."""
-import json
 
 import reading
 import writers
@@ -28,31 +27,6 @@ class Text(ReaderTest):
                 self.assertEqual("lengths without a unit are in m" in note, unit is None and metres == (1, 1))
         latin = "X [\u00b5m];Y [\u00b5m];Z [\u00c5]\n0;0;1\n1;0;2\n0;1;3\n1;1;4\n"
         self.assert_reads("a.csv", latin.encode("latin-1"), np.array([[1, 2], [3, 4]]) * 1e-10, (1e-6, 1e-6), atol=0)
-
-    def test_the_command_reads_and_refuses_the_same(self):
-        z = np.array(heights())
-        chosen = [case for k, case in enumerate(cases()) if k % 5 == 0]
-        for name, contents, unit, metres in chosen:
-            with self.subTest(name=name, header=contents[:60], unit=unit):
-                pitch = [] if name[0] == "a" else ["--pitch", "2um"]
-                arguments = ["analyze", self.file(name, contents), *pitch, *([] if unit is None else ["--unit", unit]), "--json", "a.json"]
-                if metres is None:
-                    (self.folder / "a.json").unlink(missing_ok=True)
-                    self.assert_fails(*arguments, says=[name, "unit"])
-                    continue
-                assumed = unit is None and metres == (1, 1)
-                if assumed and name[0] == "a":  # a pitch of 2 m
-                    self.assert_fails(*arguments, says=["would be 2 m", "give --unit"])
-                    continue
-                done = self.run_command(*arguments)
-                self.assertEqual(done.returncode, 0, done.stderr)
-                found = json.loads((self.folder / "a.json").read_text())
-                level = np.c_[np.ones(z.size), np.mgrid[: z.shape[0], : z.shape[1]].reshape(2, -1).T]
-                rms = (z.ravel() - level @ np.linalg.lstsq(level, z.ravel(), rcond=None)[0]).std() * metres[1]
-                self.assertAlmostEqual(found["statistics"]["rms_height"] / rms, 1, delta=1e-6)
-                self.assertAlmostEqual(found["input"]["hx"] / (STEP * metres[0] if name[0] == "a" else 2e-6), 1, delta=1e-9)
-                self.assertEqual("lengths without a unit are taken in m" in done.stderr, assumed, done.stderr)
-                self.assertEqual("lengths without a unit are taken in m" in found["input"]["assumed"], assumed)
 
     def test_titles_and_listings(self):
         rows, z = "1 2\n3 4\n", np.array([[1, 2], [3, 4.0]])

@@ -36,17 +36,12 @@ class Input(RanksTest):
 
     def test_arguments(self):
         self.npy(rough())
-        self.assert_refused('surface.npy', '--pitch', '1e-6', '--approach', '1e-7', says='the elastic modulus is missing')
-        self.assert_refused('surface.npy', '--modulus', '1e9', '--approach', '1e-7', says='give --pitch')
-        self.assert_refused('surface.npy', *PRESS, says='what to press with is missing')
         self.assert_refused('surface.npy', *PRESS, '--load', '1', '--resume', says='--resume needs --out, the folder of the interrupted run')
         self.assert_refused('surface.npy', *PRESS, '--load', '1', '--out', 'out', '--checkpoint', '0', says='--checkpoint: "0"')
         self.assert_refused('surface.npy', *PRESS, '--load', '1', '--tolerance', '7', says='did you mean "--tol"')
         self.assert_refused('surface.npy', *PRESS, '--load', '1', '--missing', 'fill', says='give reject or exclude')
         self.assert_refused('surface.npy', *PRESS, '--load', '1', '--set', 'nothing=1', says='nothing')
         self.assert_refused('surface.npy', *PRESS, '--load', '1', '--solver', 'nnls', says='with this solver')
-        self.npy(rough(ny=64), 'other.npy')
-        self.assert_refused('surface.npy', *PRESS, '--load', '1', '--against', 'other.npy', says='other.npy has 64 x 64 points')
 
     def test_folders_that_cannot_be_used(self):
         self.npy(rough())

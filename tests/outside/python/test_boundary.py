@@ -1,6 +1,5 @@
 """Which boundary a surface is pressed with, and what results with free edges say of it."""
 
-import dataclasses
 import warnings
 
 import numpy as np
@@ -24,13 +23,6 @@ def test_the_surface_decides(rough):
     assert ball.periodic is False and not pressed_periodically(ball)
     assert not pressed_periodically(rough, boundary="free") and pressed_periodically(ball, boundary="periodic")
     assert not pressed_periodically(rough, shape="sphere:R=1e-3")
-
-
-def test_files_keep_what_the_surface_says(rough, tmp_path):
-    for surface, periodic in ((rough, True), (rc.surface.sphere((16, 16), pitch=1e-6, radius=1e-4), False)):
-        dataclasses.replace(surface, unit="m").save(tmp_path / "map.gsf")
-        assert rc.read(tmp_path / "map.gsf").periodic is periodic
-        assert pressed_periodically(tmp_path / "map.gsf") is periodic
 
 
 @pytest.mark.parametrize(

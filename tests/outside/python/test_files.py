@@ -78,41 +78,6 @@ def test_formats_are_listed():
     assert found["sdf"].suffixes == (".sdf", ".bcr") and "gsf" in found and found["xyz"].says == "pitch"
 
 
-def test_heights_are_prepared(map_file):
-    surface = rc.read(map_file).filled()
-    assert not surface.missing.any() and surface.heights[1, 1] == pytest.approx((2 + 4 + 6) / 3 * 1e-9)
-    assert abs(rc.Surface(np.add.outer(np.arange(5.0), 2 * np.arange(4.0)), (1.0, 1.0)).without("plane").heights).max() < 1e-13
-    refused(rc.ArgumentError, "form is 'cone'", surface.without, "cone")
-
-
-def test_files_are_solved(tmp_path, rough):
-    path = tmp_path / "rough.gsf"
-    path.write_bytes(gsf(rough.heights, 1e-6, 1e-6))
-    stored = rough.heights.astype(np.float32).astype(float)
-    expected = rc.solve(stored, pitch=1e-6, modulus=1e9, load=1e-4)
-    found = rc.solve(path, modulus=1e9, load=1e-4)
-    assert found.certified and found.load == pytest.approx(expected.load) and found.approach == pytest.approx(expected.approach)
-    np.save(tmp_path / "rough.npy", stored)
-    assert rc.solve(tmp_path / "rough.npy", pitch=1e-6, modulus=1e9, load=1e-4).approach == pytest.approx(expected.approach)
-    refused(rc.ArgumentError, "has its own", rc.solve, path, pitch=2e-6, modulus=1e9, load=1e-4)
-    refused(rc.ArgumentError, "has its own", rc.solve, rough, pitch=2e-6, modulus=1e9, load=1e-4)
-
-
-def test_a_batch_of_files(tmp_path, rough):
-    paths = [tmp_path / f"{k}.gsf" for k in (1, 2)]
-    for k, path in enumerate(paths, 1):
-        path.write_bytes(gsf(k * rough.heights, 1e-6, 1e-6))
-    found = rc.batch(paths, modulus=1e9, load=1e-4)
-    assert found.certified == 2 and found.approach[1, 0] > found.approach[0, 0]
-
-
-def test_missing_points_are_refused_filled_or_left_out(map_file):
-    press = {"modulus": 1e9, "approach": 1e-9}
-    refused(rc.ArgumentError, "1 missing value.*missing='fill'", rc.solve, map_file, **press)
-    filled, excluded = (rc.solve(map_file, missing=rule, **press) for rule in ("fill", "exclude"))
-    assert filled.grid.mask is None and excluded.grid.mask[1, 1] == 0
-
-
 def test_other_formats_are_left_to_surface_topography(tmp_path, monkeypatch):
     path = tmp_path / "a.opd"
     path.write_bytes(b"something")

@@ -48,43 +48,17 @@ def test_a_misspelt_keyword_is_answered_by_the_right_one(rough, wrong, right):
     )
 
 
-@pytest.mark.parametrize("text, number", [({"load": "0.1mN"}, {"load": 1e-4}), ({"modulus": "1GPa"}, {"modulus": 1e9})])
-def test_numbers_with_units_are_texts(rough, text, number):
-    with pytest.warns(rc.AssumedUnit):
-        found = rc.solve(rough, **{**PRESS, **text})
-    assert found.approach == rc.solve(rough, **{**PRESS, **number}).approach
-
-
 def test_keywords_that_are_near_nothing_or_given_twice(rough):
     refused(TypeError, "'xyzzy'; see roughcontact.options", rc.history, rough, xyzzy=1)
     refused(rc.ArgumentError, "tol is given twice", rc.solve, rough, **PRESS, tol=1e-6, options={"tol": 1e-6})
     refused(rc.OptionError, "tol", rc.solve, rough, **PRESS, tol="much")
 
 
-def test_elastic_constants(rough):
-    one = rc.solve(rough, E=2e9, nu=0.3, load=1e-4)
-    assert one.load == pytest.approx(1e-4) and one.approach == pytest.approx(
-        rc.solve(rough, modulus=2e9 / (1 - 0.09), load=1e-4).approach
-    )
-    two = rc.solve(rough, E=(2e9, 1e9), nu=(0.3, 0.5), load=1e-4)
-    assert two.approach == pytest.approx(rc.solve(rough, modulus=1 / (0.91 / 2e9 + 0.75 / 1e9), load=1e-4).approach)
-    refused(rc.ArgumentError, "not both", rc.solve, rough, modulus=1e9, E=1e9, nu=0.3, load=1e-4)
-    refused(rc.ArgumentError, "nu is missing", rc.solve, rough, E=1e9, load=1e-4)
-    refused(rc.ArgumentError, "nu: 0.6 is not in", rc.solve, rough, E=1e9, nu=0.6, load=1e-4)
-    refused(rc.ArgumentError, "E: -1 is not positive", rc.solve, rough, E=-1, nu=0.3, load=1e-4)
+def test_elastic_constants_of_two_bodies_are_pairs(rough):
+    two, one = ({"E": (2e9, 1e9), "nu": (0.3, 0.5)}, {"E": 2e9, "nu": 0.3, "E2": 1e9, "nu2": 0.5})
+    assert rc.solve(rough, **two, load=1e-4).approach == rc.solve(rough, **one, load=1e-4).approach
+    assert rc.HalfSpace.under(rough, **two).modulus == pytest.approx(1 / (0.91 / 2e9 + 0.75 / 1e9))
     refused(rc.ArgumentError, "two each", rc.solve, rough, E=(1e9, 1e9), nu=0.3, load=1e-4)
-
-
-def test_a_mean_pressure_is_a_load(rough):
-    area = rough.heights.size * 1e-12
-    found = rc.solve(rough, modulus=1e9, pressure=1e4)
-    assert found.load == pytest.approx(1e4 * area) and found.mean_pressure == pytest.approx(1e4)
-    assert rc.history(rough, modulus=1e9, pressure=[1e4, 2e4]).load == pytest.approx([1e4 * area, 2e4 * area])
-    assert rc.batch([rough], modulus=1e9, pressure=1e4).load[0, 0] == pytest.approx(1e4 * area)
-    refused(rc.ArgumentError, "give only one of load and pressure", rc.solve, rough, modulus=1e9, pressure=1e4, load=1.0)
-    refused(
-        rc.ArgumentError, "give only one of approach and pressure", rc.solve, rough, modulus=1e9, pressure=1e4, approach=1.0
-    )
 
 
 def test_one_row_has_to_be_said():
@@ -221,22 +195,6 @@ def test_signatures_are_readable():
     assert "undeformed_gap: 'Optional[ArrayLike]'" in str(inspect.signature(rc.solve))
 
 
-@pytest.mark.parametrize("how", [{"pressure": 1e4}, {"load": 1e4 * 48 * 64 * 1e-12}])
-def test_twins_take_the_same_keywords(rough, how):
-    """Whoever presses takes E and nu, and pressure beside load."""
-    system = rc.HalfSpace.under(rough, E=2e9, nu=0.3)
-    assert system.modulus == rc.HalfSpace(rough.shape, pitch=1e-6, E=2e9, nu=0.3).modulus == pytest.approx(2e9 / 0.91)
-    expected = rc.solve(rough, modulus=system.modulus, **how)
-    many = {name: [value] for name, value in how.items()}
-    with rc.Contact(system) as contact:
-        found = [contact.solve(rough, **how), contact.history(rough, **many)[0]]
-    found += [rc.solve(rough, E=2e9, nu=0.3, **how), rc.history(rough, E=2e9, nu=0.3, **many)[0]]
-    found += [rc.batch([rough], E=2e9, nu=0.3, **how)]
-    for each in found:
-        assert np.ravel(each.load)[0] == pytest.approx(expected.load, rel=1e-9)
-        assert np.ravel(each.approach)[0] == pytest.approx(expected.approach, rel=1e-6)
-
-
 @pytest.mark.parametrize("call", [rc.solve, rc.history, rc.batch, rc.Contact.solve, rc.Contact.history])
 def test_errors_name_all_ways(rough, call):
     system = rc.HalfSpace.under(rough, modulus=1e9)
@@ -245,8 +203,6 @@ def test_errors_name_all_ways(rough, call):
         more = {} if len(given) == 2 else {"system": system}
         refused(rc.ArgumentError, "nothing presses: one of approach, load, pressure, area is needed", call, *given, **more)
         refused(rc.ArgumentError, "give only one of load and pressure", call, *given, **more, load=1.0, pressure=1.0)
-    for call in (rc.solve, rc.history, rc.batch):
-        refused(rc.ArgumentError, "modulus is missing", call, rough, load=1e-4)
     refused(rc.ArgumentError, "modulus is missing", rc.HalfSpace, (4, 4), pitch=1.0)
 
 

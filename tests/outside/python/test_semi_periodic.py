@@ -34,30 +34,3 @@ def test_patches_join_the_sides_of_their_axis():
     assert rc.analysis.crossing(band, periodic="x").contact == "x"
     with pytest.raises(rc.ArgumentError, match="True, False, 'x' or 'y'"):
         rc.analysis.area(pressure, pitch=1.0, periodic="z")
-
-
-def test_a_long_period_is_a_free_edge():
-    heights = rough(12, 16)
-    free = rc.solve(heights, boundary="free", load=20.0, **HOW)
-    off = []
-    for times in (2, 8):
-        padded = np.zeros((12, 16 * times))
-        padded[:, :16] = heights
-        mask = np.zeros(padded.shape, bool)
-        mask[:, :16] = True
-        strip = rc.solve(padded, mask=mask, boundary="periodic-x", load=20.0, **HOW)
-        off.append(abs(strip.pressure[:, :16] - free.pressure).max() / free.pressure.max())
-    assert off[1] < 1e-3 and off[1] < off[0] / 8
-
-
-def test_a_wide_margin_is_a_free_edge_of_a_periodic_grid():
-    x, y = np.meshgrid(np.arange(32) / 32, np.arange(-24, 25) / 24)
-    heights = 2 * np.cos(2 * np.pi * x) - 6 * y**2  # smooth, and in contact far from its edges
-    strip = rc.solve(heights, boundary="periodic-x", load=200.0, **HOW)
-    off = []
-    for times in (1, 6):
-        padded = np.full((49 * times, 32), -100.0)
-        padded[:49] = heights
-        periodic = rc.solve(padded, boundary="periodic", load=200.0, **HOW)
-        off.append(abs(periodic.pressure[:49] - strip.pressure).max() / strip.max_pressure)
-    assert off[1] < 0.01 and off[1] < off[0]

@@ -36,17 +36,6 @@ def test_spikes_are_far_from_the_median_around_them(rough, factor):
     assert np.all(np.isfinite(found.filled().heights)) and f"{count + 12} points filled" in found.filled().remarks
 
 
-def test_small_maps_and_maps_without_spikes(rough):
-    for shape in ((1, 1), (2, 3), (1, 7)):
-        z = np.random.default_rng(2).normal(size=shape)
-        assert np.array_equal(rc.Surface(z, (1.0, 1.0)).despiked(2.0).heights, despiked_by_hand(z, 2.0), equal_nan=True)
-    flat = np.ones((9, 9))
-    flat[4, 4] = 7
-    assert rc.Surface(flat, 1.0).despiked(3).remarks == ("0 points removed as spikes",)  # the median of all |r| is 0
-    refused(rc.ArgumentError, "factor = 0 must be positive", rough.despiked, 0.0)
-    refused(rc.ArgumentError, "factor = nan", rough.despiked, np.nan)
-
-
 def test_a_part_has_the_cells_whose_middles_are_inside(rough):
     rows, columns = np.arange(40) * 0.5 + 0.25, np.arange(56) * 0.5 + 0.25
     for x, y in (((3.0, 9.9), (0.25, 7.75)), ((-5.0, 100.0), (19.0, 20.0)), ((0.0, 28.0), (0.0, 20.0))):
@@ -59,14 +48,6 @@ def test_a_part_has_the_cells_whose_middles_are_inside(rough):
     assert rc.Surface(np.arange(6.0), (1.0, 1.0)).cropped((1, 4)).heights.tolist() == [1.0, 2.0, 3.0]
     refused(rc.ArgumentError, "has the middle of no cell; the map is 28 x 20", rough.cropped, (3.0, 3.1))
     refused(rc.ArgumentError, "is not a number", rough.cropped, (np.nan, 3.1))
-
-
-def test_a_mirrored_map_is_turned_over(rough):
-    z = rough.heights
-    for axes, expected in (("x", z[:, ::-1]), ("y", z[::-1]), ("xy", z[::-1, ::-1])):
-        assert np.array_equal(rough.mirrored(axes).heights, expected)
-        assert np.array_equal(rough.mirrored(axes).mirrored(axes).heights, z)
-    refused(rc.ArgumentError, "axes is 'z': x, y, xy", rough.mirrored, "z")
 
 
 def test_whole_pitches_shift_without_a_change(rough):

@@ -1,11 +1,11 @@
-"""Every word in every door: the same answer to 1e-12, or the same refusal; and none is missing in a door without a reason."""
+"""Every word in every door: one answer to 1e-12, or one refusal; and none is missing in a door without a reason."""
 
 import ctypes
 import json
 import os
 import pathlib
 import re
-import struct
+import shutil
 import subprocess
 import warnings
 
@@ -14,200 +14,79 @@ import pytest
 
 import roughcontact as rc
 from roughcontact import raw
+from roughcontact.report.run import read_arguments
+from word_rows import BASE, ELASTIC, RIGHT, STEPS, WRONG, write_files
 
-SIDE = 16
-CALLS = ("solve", "history", "batch", "law", "analyze", "ranks")
-BASE = {"pitch": "1um", "unit": "m", "modulus": "1GPa", "load": "10uN", "boundary": "periodic"}
-LOADING = ("approach", "load", "pressure")
-ELASTIC = {"modulus": None, "E": "2GPa", "nu": "0.3"}
-
-#: {word: values that are right; None takes a word away}
-RIGHT = {
-    "surface": [{}],
-    "gap": [],
-    "format": [{"format": "npy"}],
-    "height-range": [{"surface": "grey.tif", "height-range": "120nm"}, {"surface": "grey.tif", "height-range": "1.2e-7"}],
-    "pitch": [{"pitch": "1um,2um"}, {"pitch": "1e-6"}, {"pitch": "1000nm"}],
-    "unit": [{"unit": "um", "pitch": "1"}, {"unit": "um", "pitch": "1um", "load": "1N"}],
-    "missing": [{"surface": "holed.npy", "missing": "fill"}, {"surface": "holed.npy", "missing": "exclude"}],
-    "crop": [{"crop": "2um..9um,1um..12um"}, {"crop": "1um"}],
-    "despike": [{"surface": "spiked.npy", "despike": "10"}],
-    "remove": [{"remove": form} for form in ("none", "mean", "plane", "quadric")],
-    "against": [{"against": "other.npy"}, {"against": "holed.npy", "missing": "fill", "remove": "plane"}],
-    "mirror": [{"against": "other.npy", "mirror": axes} for axes in ("x", "y", "xy")],
-    "shift": [{"against": "other.npy", "shift": shift} for shift in ("2um,0um", "-1um,3um", "0.5um")],
-    "resample": [{"against": "fine.gsf", "resample": method} for method in ("linear", "cubic")],
-    "shape": [
-        {"shape": shape, "boundary": None}
-        for shape in ("sphere:R=1mm", "cylinder:R=1mm", "cylinder:R=1mm,axis=y", "wedge:angle=1deg")
-    ],
-    "modulus": [{"modulus": "3GPa"}, {"modulus": "3e9"}],
-    "E": [ELASTIC],
-    "nu": [{**ELASTIC, "nu": "0.5"}],
-    "E2": [{**ELASTIC, "E2": "1GPa", "nu2": "0.2"}],
-    "nu2": [{**ELASTIC, "E2": "1GPa", "nu2": "0.4"}],
-    "hardness": [{"hardness": "30MPa"}],
-    "layer": [
-        {"layer": "t=2um,E=3GPa,nu=0.4"},
-        {"layer": "t=2um,E=300MPa,nu=0.5,base=rigid,interface=frictionless", "boundary": "free"},
-        {"layer": "t=2e-6,E=3e9,nu=0.4", **ELASTIC},
-    ],
-    "approach": [{"approach": "20nm", "load": None}],
-    "load": [{"load": "20uN"}, {"load": "2e-5"}],
-    "pressure": [{"pressure": "100kPa", "load": None}],
-    "area": [{"area": "10%", "load": None}, {"area": "0.2", "load": None}],
-    "closing-pressure": [],  # see test_a_word_of_flow_is_a_function_here
-    "leak": [],
-    "boundary": [{"boundary": name} for name in ("free", "periodic-x", "periodic-y")],
-    "kernel": [{"kernel": "love", "boundary": "free"}],
-    "solver": [{"solver": "polonsky-keer"}],
-    "backend": [{"backend": "dense"}],
-    "tol": [{"tol": "1e-10"}],
-    "threads": [{"threads": "2"}],
-}
-#: {word: values that are refused}
-WRONG = {
-    "surface": [{"surface": "holed.npy"}, {"surface": "infinite.npy"}, {"surface": "empty.npy"}],
-    "format": [{"format": "nonsense"}],
-    "height-range": [{"surface": "grey.tif"}, {"height-range": "120nm"}, {"surface": "grey.tif", "height-range": "1MPa"}],
-    "pitch": [
-        {"pitch": "1"},
-        {"pitch": "1kg"},
-        {"pitch": "1MPa"},
-        {"pitch": "-1um"},
-        {"pitch": "1um,2um,3um"},
-        {"pitch": "1um,2"},
-        {"pitch": None},
-    ][1:],
-    "unit": [{"unit": "MPa"}],
-    "missing": [{"missing": "fil"}],
-    "crop": [{"crop": "1um..2um"}, {"crop": "-1um"}, {"crop": "9um"}],
-    "despike": [{"despike": "0"}, {"despike": "much"}],
-    "remove": [{"remove": "parabola"}],
-    "against": [{"against": "narrow.npy"}],
-    "mirror": [{"mirror": "z"}],
-    "shift": [{"against": "other.npy", "shift": "20um,0um"}, {"against": "other.npy", "shift": "1MPa"}],
-    "resample": [{"against": "fine.gsf"}, {"against": "fine.gsf", "resample": "nearest"}],
-    "shape": [
-        {"shape": text}
-        for text in (
-            "ball",
-            "sphere",
-            "sphere:R=0",
-            "sphere:R=1um",
-            "sphere:R=1mm,axis=x",
-            "wedge:angle=5",
-            "wedge:angle=95deg",
-        )
-    ],
-    "modulus": [{"modulus": "3gpa"}, {"modulus": "0"}, {"modulus": None}, {**ELASTIC, "modulus": "1GPa"}],
-    "E": [{**ELASTIC, "E": None}, {**ELASTIC, "E": "1N"}],
-    "nu": [{**ELASTIC, "nu": None}, {**ELASTIC, "nu": "0.6"}, {**ELASTIC, "nu": "much"}],
-    "E2": [{"modulus": None, "E2": "1GPa", "nu2": "0.3"}, {**ELASTIC, "E2": "1GPa"}],
-    "nu2": [{**ELASTIC, "nu2": "0.3"}, {**ELASTIC, "E2": "1GPa", "nu2": "-1"}],
-    "hardness": [{"hardness": "1m"}],
-    "layer": [
-        {"layer": text}
-        for text in (
-            "t=2um,E=3GPa",
-            "t=0,E=3GPa,nu=0.4",
-            "t=2um,E=3GPa,nu=0.6",
-            "t=2MPa,E=3GPa,nu=0.4",
-            "2um",
-            "t=2um,E=1Pa,nu=0.3,base=soft",
-        )
-    ]
-    + [{"layer": "t=2um,E=3GPa,nu=0.4", **ELASTIC, "E2": "1GPa", "nu2": "0.3"}],
-    "approach": [{"approach": "1Pa", "load": None}, {"approach": "1nm"}],
-    "load": [
-        {"load": "1"},
-        {"load": "1mm"},
-        {"load": None},
-        {"load": "1uN:2uN"},
-        {"load": "0..1uN:3log"},
-        {"load": "1uN..2uN:0"},
-    ][1:],
-    "pressure": [{"pressure": "1nm", "load": None}],
-    "area": [{"area": "120%", "load": None}, {"area": "1m", "load": None}],
-    "boundary": [{"boundary": "open"}],
-}
-
-
-def tiff(values):
-    """A TIFF of whole numbers of 16 bits in one strip."""
-    data = values.astype("<u2").tobytes()
-    tags = {256: SIDE, 257: SIDE, 258: 16, 259: 1, 262: 1, 273: 8, 277: 1, 278: SIDE, 279: len(data)}
-    entries = b"".join(struct.pack("<HHII", tag, 4, 1, value) for tag, value in tags.items())
-    return b"II*\0" + struct.pack("<I", 8 + len(data)) + data + struct.pack("<H", len(tags)) + entries + bytes(4)
+RANKS, LAW, ANALYZE = (getattr(raw, f"RC_CALL_{name}") for name in ("ROWS", "LAW", "ANALYZE"))
+BUILD = pathlib.Path(rc.library_file()).resolve().parents[1]
 
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
     made = tmp_path_factory.mktemp("words")
-    rough, other = (
-        rc.surface.spectral((SIDE, SIDE), pitch=1e-6, rms_height=1e-7, hurst=0.8, seed=seed).heights for seed in (1, 2)
-    )
-    holed = other.copy()
-    holed[3, 4] = holed[9, 2] = np.nan
-    infinite = rough.copy()
-    infinite[1, 2] = np.inf
-    maps = {
-        "surface": rough,
-        "other": other,
-        "holed": holed,
-        "infinite": infinite,
-        "empty": rough * np.nan,
-        "narrow": rough[:, 1:],
-    }
-    spiked = rough.copy()
-    spiked[5, 6] = 3e-6
-    for name, z in {**maps, "spiked": spiked}.items():
-        np.save(made / f"{name}.npy", z)
-    (made / "grey.tif").write_bytes(tiff((rough - rough.min()) / np.ptp(rough) * 65535))
-    fine = rc.surface.spectral((20, 20), pitch=0.8e-6, rms_height=1e-7, hurst=0.8, seed=4, q_high=1.5e6)
-    rc.Surface(fine.heights, 0.8e-6, False, unit="m").save(made / "fine.gsf")
+    write_files(made)
     return made
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture
+def here(folder, monkeypatch):
+    monkeypatch.chdir(folder)
+    return folder
+
+
+def program(name="roughcontact"):
+    """A program of this build; None: it has none."""
+    own = os.environ.get("ROUGHCONTACT_COMMAND") if name == "roughcontact" else None
+    found = pathlib.Path(own or BUILD / "bin" / name)
+    return found if found.exists() else None
+
+
+@pytest.fixture
 def command():
-    found = os.environ.get("ROUGHCONTACT_COMMAND") or pathlib.Path(rc.library_file()).resolve().parents[1] / "bin/roughcontact"
-    return pathlib.Path(found)
+    return program() or pytest.skip("this build has no command")
 
 
-def table():
-    library, words = raw.request_library(), []
-    for index in range(library.rc_word_count()):
-        word = raw.rc_word()
-        assert library.rc_word_describe(index, word) == 0
-        words.append(word)
-    return words
+TABLE = []
+for index in range(raw.request_library().rc_word_count()):
+    TABLE.append(raw.rc_word())
+    assert raw.request_library().rc_word_describe(index, TABLE[-1]) == 0
+TAKEN = {word.name.decode(): word.calls for word in TABLE}
 
 
 def given(change):
     return {name: value for name, value in {"surface": "surface.npy", **BASE, **change}.items() if value is not None}
 
 
+def takes(call, words):
+    return all(TAKEN[word] & call for word in words)
+
+
 def plain(text):
     """A message without the spelling of its door."""
-    text = re.sub(r"([A-Za-z0-9]+)='([^']*)'", r"\1 \2", text)
-    return " ".join(text.replace("--", "").replace("height_range", "height-range").split())
+    text = re.sub(r"(\w+)( = |=)'([^']*)'", r"\1 \3", text)
+    text = re.sub(r"^(rank 0|rc_\w+): ", "", text)
+    return " ".join(text.replace("--", "").replace("opts.", "").replace("height_range", "height-range").split())
 
 
-def by_command(command, folder, words):
-    words = dict(words)
-    options = [word for name, value in words.items() if name != "surface" for word in ("--" + name, value)]
-    done = subprocess.run(
-        [str(command), "solve", words["surface"], *options, "--quiet", "--out", "out", "--no-maps"],
-        cwd=folder,
-        capture_output=True,
-        text=True,
-        env={**os.environ, "PATH": "/nonexistent"},
-    )
+def run(command, surface, words, *more):
+    options = [each for word, value in words.items() if word != "surface" for each in ("--" + word, value)]
+    line = [*map(str, command), surface, *options, *more]
+    return subprocess.run(line, capture_output=True, text=True)
+
+
+def summary_of(words, *ranks):
+    """What a run of the command wrote, or said; ranks: roughcontact-mpi instead."""
+    command, how = (ranks, []) if ranks else ([program(), "solve"], ["--no-maps"])
+    out = pathlib.Path(command[0]).name + ".out"
+    done = run(command, words["surface"], words, "--quiet", "--out", out, *how)
     if done.returncode == 1:
         return plain(done.stderr.strip().splitlines()[-1].partition(": ")[2])
-    step = json.loads((folder / "out/summary.json").read_text())["steps"][0]
-    return step["load"], step["approach"], step["area_fraction"]
+    return json.loads(pathlib.Path(out, "summary.json").read_text())
+
+
+def by_command(words, *ranks):
+    found = summary_of(words, *ranks)
+    return found if isinstance(found, str) else tuple(found["steps"][0][name] for name in ("load", "approach", "area_fraction"))
 
 
 def of(call):
@@ -216,7 +95,7 @@ def of(call):
         warnings.simplefilter("ignore")
         try:
             return call()
-        except rc.RoughContactError as error:
+        except (rc.RoughContactError, OSError) as error:
             return plain(str(error))
 
 
@@ -224,44 +103,212 @@ def numbers(step):
     return step.load, step.approach, step.area_fraction
 
 
-def doors(folder, words):
-    words = dict(words)
-    surface = words.pop("surface")
+def keywords(words):
     numeric = {"tol": float, "threads": int}
-    named = {name.replace("-", "_"): numeric[name](value) if name in numeric else value for name, value in words.items()}
+    return {name.replace("-", "_"): numeric[name](value) if name in numeric else value for name, value in words.items()}
+
+
+def in_python(words):
+    named = keywords(words)
+    surface = named.pop("surface")
     yield "solve", of(lambda: numbers(rc.solve(surface, stiffness=1, **named)))
     yield "history", of(lambda: numbers(rc.history(surface, stiffness=True, **named)[0]))
-    if (
-        "unit" in words and surface.endswith(".npy") and "height-range" not in words
-    ):  # as an array the surface has no unit of its own
-        yield "array", of(
-            lambda: numbers(rc.solve(np.load(surface), stiffness=1, **{k: v for k, v in named.items() if k != "format"}))
-        )
 
     def batch():
         found = rc.batch(surface, **named)
         return found.load[0, 0], found.approach[0, 0], found.contact_area[0, 0]
 
     yield "batch", of(batch)
+    if "unit" in words and surface.endswith(".npy") and pathlib.Path(surface).exists():  # an array has no unit of its own
+        named.pop("format", None)
+        yield "array", of(lambda: numbers(rc.solve(np.load(surface), stiffness=1, **named)))
+
+
+#: what ranks refuse by design: they fill no holes, and have neither factors nor the search for an area
+NOT_BY_RANKS = {"missing": ("fill", "fil"), "backend": ("dense",), "boundary": ("periodic-x", "periodic-y")}
+
+
+def by_ranks(words):
+    told = all(TAKEN[word] & RANKS for word in words) and words["surface"].endswith(".npy") and "pitch" in words
+    names_others = any(word in words and (values is None or words[word] in values) for word, values in NOT_BY_RANKS.items())
+    holes = {"holed.npy", "infinite.npy"} & set(words.values()) and "missing" not in words  # their message offers no fill
+    return told and not names_others and not holes and not words.get("against", "").endswith(".gsf")
+
+
+def doors(words, ranks):
+    """ranks: whether they are asked, whose start takes half a second"""
+    yield from in_python(words)
+    if program():
+        yield "command", by_command(words)
+    if ranks and program("roughcontact-mpi") and by_ranks(words):
+        yield "ranks", by_command(words, program("roughcontact-mpi"))
+
+
+def skip_without_pictures(word):
+    if word == "height-range" and "tiff" not in {each.name for each in rc.formats()}:
+        pytest.skip("this build reads no pictures")
 
 
 def test_every_word_is_in_the_matrix_and_says_where_it_is_not():
-    words = table()
-    assert [word.name.decode() for word in words] == list(RIGHT)
-    for word in words:
+    assert list(TAKEN) == list(RIGHT)
+    for word in TABLE:
         assert word.help and word.form and (word.calls == 63) == (not word.why_not), word.name
         assert word.calls & ~63 == 0 and word.struct_size == ctypes.sizeof(word)
 
 
-def test_a_word_of_flow_is_a_function_here(folder, command):
-    if not command.exists():
-        pytest.skip("this build has no command")
-    said = by_command(command, folder, {**given({}), "leak": "viscosity=2mPas,drop=3bar,along=y"})
-    if "built without" in str(said):
-        pytest.skip(said)
-    told = json.loads((folder / "out/summary.json").read_text())["steps"][0]
+@pytest.mark.parametrize("word", [name for name in RIGHT if RIGHT[name]])
+def test_the_same_answer(word, here):
+    """In all doors to 1e-12; of words that mean the same to what heights and units are rounded to."""
+    skip_without_pictures(word)
+    words = given({})
+    base = numbers(rc.solve(words.pop("surface"), stiffness=1, **words))
+    for group in RIGHT[word]:
+        first = None
+        for change in group:
+            found = dict(doors(given(change), change is group[0]))
+            want = found["solve"]
+            first = first or want
+            assert not isinstance(want, str), (change, want)
+            assert want[:2] == pytest.approx(first[:2], rel=1e-8, abs=0), (change, group)
+            for door, answer in found.items():
+                assert not isinstance(answer, str), (door, change, answer)
+                assert answer[:2] == pytest.approx(want[:2], rel=1e-12 if "tol" not in change else 1e-6, abs=0), (door, change)
+        if {} not in group and word not in ("solver", "backend", "tol", "pitch", "despike"):
+            assert first[:2] != pytest.approx(base[:2], rel=1e-6), f"{group[0]} changes nothing"
+
+
+@pytest.mark.parametrize("word", WRONG)
+def test_the_same_refusal(word, here):
+    skip_without_pictures(word)
+    for change, says in WRONG[word]:
+        found = dict(doors(given(change), change is WRONG[word][0][0]))
+        found.pop("array", None)  # its map is named otherwise
+        assert all(isinstance(said, str) for said in found.values()), (change, found)
+        if "one step is solved here" in found["solve"]:  # a list, of which the others read the values
+            found.pop("solve")
+        for door, text in found.items():
+            found[door] = re.sub(r", (or )?area| or area", "", text).replace("load, pressure", "load or pressure")
+        assert len(set(found.values())) == 1 and says in found["history"], (change, found)
+
+
+RESIDUALS = {"seconds", "setup_seconds", "note", "duality_gap", "kkt_primal", "kkt_dual", "kkt_complementarity", "kkt_control"}
+
+
+@pytest.mark.parametrize("word, text, values", STEPS)
+def test_the_same_steps(word, text, values, here, command):
+    words = given({"load": None, word: text})
+    told = summary_of(words)
+    words.pop("surface")
+    history, batch = rc.history("surface.npy", **words), rc.batch("surface.npy", **words)
+    assert told["input"]["targets"] == list(history.targets) == pytest.approx(values, rel=1e-12, abs=0)
+    assert told["input"]["control"] == history.prescribed == word
+    assert batch.approach[0] == pytest.approx(history.approach, rel=1e-12, abs=0)
+    columns = rc.history("surface.npy", **words, stiffness=True, want_gap=True, resumable=1)._columns()
+    for k, step in enumerate(told["steps"]):
+        assert len(step) > 45
+        for name in set(step) - RESIDUALS:
+            own = columns[name][k]
+            if isinstance(own, str):
+                assert {"OK": "RC_OK"}.get(own, own) == step[name], name
+            else:
+                assert np.isnan(own) if step[name] is None else step[name] == pytest.approx(own, rel=1e-6), name
+
+
+@pytest.mark.parametrize("word", [word for word in RIGHT if RIGHT[word] and TAKEN[word] & LAW and TAKEN[word] & ANALYZE])
+def test_the_same_analysis(word, here, command):
+    skip_without_pictures(word)
+    for (change, *_) in RIGHT[word]:
+        words = {name: value for name, value in given(change).items() if TAKEN[name] & ANALYZE}
+        if words.get("boundary", "").startswith("periodic-") or words.get("missing") == "exclude":
+            continue
+        done = run([command, "analyze"], words["surface"], words, "--json", "analysis.json")
+        assert done.returncode == 0, done.stderr
+        told = json.loads(pathlib.Path("analysis.json").read_text())["statistics"]
+        named = keywords(words)
+        found = of(lambda: rc.surface.analyze(rc.prepare(named.pop("surface"), **named)))
+        for name in ("rms_height", "rms_slope", "skewness"):
+            assert told[name] == pytest.approx(getattr(found, name), rel=1e-9), (change, name)
+
+
+@pytest.mark.parametrize("word", [word for word in RIGHT if RIGHT[word] and TAKEN[word] & LAW and word != "pressure"])
+def test_the_same_law(word, here, command):
+    skip_without_pictures(word)
+    for ((change, *_), *_) in [RIGHT[word]]:
+        words = {name: value for name, value in given({**change, "pressure": "1kPa..3kPa"}).items() if TAKEN[name] & LAW}
+        done = run([command, "law"], words["surface"], words, "--json", "law.json", "--quiet", "--tolerance", "10%")
+        assert done.returncode == 0, (change, done.stderr)
+        told = json.loads(pathlib.Path("law.json").read_text())
+        named = keywords(words)
+        found = of(lambda: rc.law(named.pop("surface"), tolerance=0.1, **named))
+        assert not isinstance(found, str), (change, found)
+        for name in ("nodes", "area", "modulus"):
+            assert told["law"][name] == pytest.approx(found.info[name], rel=1e-12), (change, name)
+        assert told["nodes"][0]["x"] == pytest.approx(found.nodes["x"][0], rel=1e-9)
+
+
+def for_octave(words):
+    """A call of Octave's, which has maps as matrices of its own; None: the words are about files."""
+    name, *rest = words["surface"].split(".")
+    if rest != ["npy"] or {"format", "height-range"} & set(words) or "unit" not in words:
+        return None
+    fields = (each for word, value in words.items() if word != "surface" for each in (word.replace("-", "_"), value))
+    return f"press (dlmread ('{name}.txt'), struct ({', '.join(repr(each) for each in fields)}));\n"
+
+
+def test_the_same_in_octave(here, tmp_path):
+    octave, built = shutil.which("octave-cli"), BUILD / "bindings/octave"
+    if octave is None or not (built / "rc_solve.mex").exists():
+        pytest.skip("this build has no rc_solve")
+    for file in here.glob("*.npy"):
+        np.savetxt(file.with_suffix(".txt"), np.load(file).T, "%.17g")
+    rows = [(change, "") for word in RIGHT for group in RIGHT[word] for change in group]
+    rows += [row for word in WRONG for row in WRONG[word]]
+    asked = [(change, says, for_octave(given(change))) for change, says in rows]
+    asked = [row for row in asked if row[2]]
+    script = tmp_path / "words.m"
+    script.write_text(
+        "1; warning ('off');\nfunction press (z, opts)\n  try\n    [~, info] = rc_solve (z, opts);\n    "
+        "printf ('%.17g %.17g\\n', info.load, info.approach);\n  catch e\n    printf ('%s\\n', e.message);\n  end\nend\n"
+        + "".join(call for _, _, call in asked),
+        encoding="utf-8",
+    )
+    done = subprocess.run([octave, "--no-init-file", "--quiet", "--path", built, script], capture_output=True, text=True)
+    lines = done.stdout.splitlines()
+    assert len(lines) == len(asked) > 100, done.stderr
+    for (change, says, _), line in zip(asked, lines):
+        if says:
+            for file in ("surface.npy", "infinite.npy", "empty.npy"):  # a matrix has no name
+                says = says.replace(file, "z")
+            said = plain(line.partition(": ")[2])
+            assert says in said or "one step is solved here" in said, (change, line)
+        else:
+            words = given(change)
+            want = of(lambda: numbers(rc.solve(np.load(words.pop("surface")), **keywords(words))))
+            assert tuple(map(float, line.split())) == pytest.approx(
+                want[:2], rel=1e-12 if "tol" not in change else 1e-6
+            ), change
+
+
+def test_words_that_a_call_does_not_take_are_refused(here):
+    says = "a law is made between two pressures; nothing presses when a surface is analysed"
+    assert of(lambda: rc.law("surface.npy", **{**BASE, "pressure": "1kPa..1MPa"})) == f"load is not a word of law: {says}"
+    assert of(lambda: rc.prepare("surface.npy", load="1N")) == f"load is not a word of analyze: {says}"
+    assert "nothing is solved" in of(lambda: rc.prepare("surface.npy", tol=1e-6))
+
+
+@pytest.mark.parametrize("word", RIGHT)
+def test_a_report_hands_every_word_over(word):
+    words = ["surface.npy", f"--{word}", "value"]
+    assert read_arguments([*words, "--out", "page.html"])[1] == words
+
+
+def test_a_word_of_flow_is_a_function_here(here, command):
+    told = summary_of({**given({}), "leak": "viscosity=2mPas,drop=3bar,along=y"})
+    if "built without" in str(told):
+        pytest.skip(told)
+    told = told["steps"][0]
     words = {**given({}), "want_gap": True}
-    result = rc.solve(str(folder / words.pop("surface")), **words)
+    result = rc.solve(words.pop("surface"), **words)
     leak = result.leak(viscosity=2e-3, pressure_drop=3e5, along="y")
     for name, value in (
         ("leak", leak.flow),
@@ -270,101 +317,13 @@ def test_a_word_of_flow_is_a_function_here(folder, command):
         ("constriction", leak.constriction),
     ):
         assert told[name] == pytest.approx(value, rel=1e-9), name
-    done = subprocess.run(
-        [
-            str(command),
-            "solve",
-            "surface.npy",
-            "--pitch",
-            "1um",
-            "--modulus",
-            "1GPa",
-            "--boundary",
-            "periodic",
-            "--closing-pressure",
-            "x",
-        ],
-        cwd=folder,
-        capture_output=True,
-        text=True,
-    )
-    found = rc.closing_pressure(str(folder / "surface.npy"), pitch="1um", modulus="1GPa", boundary="periodic")
+    words = {"pitch": "1um", "modulus": "1GPa", "boundary": "periodic"}
+    done = run([command, "solve"], "surface.npy", {**words, "closing-pressure": "x"})
+    found = rc.closing_pressure("surface.npy", **words)
     assert re.findall(r"(\S+) MPa \(proven", done.stdout) == [f"{p / 1e6:.4g}" for p in (found.lower, found.upper)]
 
 
-def skip_without_pictures(word):
-    if word == "height-range" and "tiff" not in {each.name for each in rc.formats()}:
-        pytest.skip("this build reads no pictures")
-
-
-@pytest.mark.parametrize("word", [name for name in RIGHT if RIGHT[name]])
-def test_the_same_answer(word, folder, command, monkeypatch):
-    skip_without_pictures(word)
-    monkeypatch.chdir(folder)
-    for change in RIGHT[word]:
-        words = given(change)
-        found = dict(doors(folder, words))
-        if command.exists():
-            found["command"] = by_command(command, folder, words)
-        want = found["solve"]
-        assert not isinstance(want, str), (change, want)
-        for door, answer in found.items():
-            close = 1e-12 if "tol" not in change else 1e-6
-            assert not isinstance(answer, str), (door, change, answer)
-            assert answer[:2] == pytest.approx(want[:2], rel=close, abs=0), (door, change)
-
-
-@pytest.mark.parametrize("word", WRONG)
-def test_the_same_refusal(word, folder, command, monkeypatch):
-    skip_without_pictures(word)
-    monkeypatch.chdir(folder)
-    for change in WRONG[word]:
-        words = given(change)
-        found = dict(doors(folder, words))
-        found.pop("array", None)  # its map is named otherwise
-        if command.exists():
-            found["command"] = by_command(command, folder, words)
-        assert all(isinstance(said, str) for said in found.values()), (change, found)
-        said = {
-            re.sub(r", (or )?area| or area", "", text).replace("load, pressure", "load or pressure") for text in found.values()
-        }
-        assert len(said) == 1, (change, found)
-
-
-@pytest.mark.parametrize("call, how", [(rc.law, {"pressure": "1kPa..1MPa", "tolerance": 0.2}), (rc.surface.analyze, {})])
-def test_words_that_a_call_does_not_take_are_refused(call, how, folder, monkeypatch):
-    monkeypatch.chdir(folder)
-    if call is rc.law:
-        text = of(lambda: call("surface.npy", **{**BASE, "load": "1N", **how}))
-        assert (
-            text == "load is not a word of law: a law is made between two pressures; nothing presses when a surface is analysed"
-        )
-    else:
-        with pytest.raises(TypeError, match="load"):
-            call("surface.npy", load="1N")
-
-
-def test_preparation_is_what_its_words_say(folder, monkeypatch):
-    monkeypatch.chdir(folder)
-    rough, other, spiked = (np.load(f"{name}.npy") for name in ("surface", "other", "spiked"))
-    how = {"modulus": 1e9, "load": 1e-5, "boundary": "periodic", "pitch": "1um"}
-
-    def same(found, heights):
-        assert found.grid.shape == heights.shape
-        assert found.approach == pytest.approx(rc.solve(heights, **{**how, "pitch": 1e-6}).approach, rel=1e-12, abs=0)
-
-    same(rc.solve("surface.npy", unit="m", crop="2um..9um,1um..12um", **how), rough[1:12, 2:9])
-    same(rc.solve("surface.npy", unit="m", against="other.npy", mirror="x", **how), rough + other[:, ::-1])
-    same(rc.solve("surface.npy", unit="m", against="other.npy", mirror="y", **how), rough + other[::-1])
-    shifted = rc.solve("surface.npy", unit="m", against="other.npy", shift="2um,-1um", **how)
-    same(shifted, rough[:-1, 2:] + other[1:, :-2])
-    clean = spiked.copy()
-    clean[5, 6] = np.nan
-    same(rc.solve("spiked.npy", unit="m", despike=10, **how), rc.Surface(clean, 1e-6).filled().heights)
-
-
-def test_what_was_assumed_is_listed(folder, monkeypatch):
-    monkeypatch.chdir(folder)
+def test_what_was_assumed_is_listed(here):
     bare = rc.solve("surface.npy", pitch="1um", modulus="1GPa", load="10uN", check=False)
     assert [text.split(";")[0] for text in bare.assumed] == [
         "lengths without a unit are taken in m (heights of surface.npy)",
@@ -383,32 +342,28 @@ def saved(answer):
     return "answer.npz"
 
 
-def test_the_smooth_answer_is_hertz(folder, command, monkeypatch):
-    monkeypatch.chdir(folder)
+def test_the_smooth_answer_is_hertz(here):
     words = given({"shape": "sphere:R=1mm", "boundary": None, "load": "1mN"})
     found = rc.solve(words.pop("surface"), **words).smooth
     radius = (3 * 1e-3 * 1e-3 / (4 * 1e9)) ** (1 / 3)
     assert (found.radius, found.approach) == pytest.approx((radius, radius**2 / 1e-3), rel=1e-12, abs=0)
     assert found.max_pressure == pytest.approx(1.5e-3 / (np.pi * radius**2), rel=1e-12, abs=0)
     assert rc.solve(np.zeros((8, 8)), pitch=1, modulus=1, load=1, boundary="free").smooth is None
-    if command.exists():
-        by_command(command, folder, {"surface": "surface.npy", **words})
-        step = json.loads((folder / "out/summary.json").read_text())["steps"][0]
+    if program():
+        (step,) = summary_of({"surface": "surface.npy", **words})["steps"]
         assert [step["smooth_" + name] for name in ("width", "approach", "max_pressure")] == pytest.approx(
             [found.width, found.approach, found.max_pressure], rel=1e-12, abs=0
         )
 
 
-def test_metres_that_only_a_mistaken_unit_explains_are_refused(folder, monkeypatch):
-    monkeypatch.chdir(folder)
+def test_metres_that_only_a_mistaken_unit_explains_are_refused(here):
     with pytest.raises(rc.ArgumentError, match="pitch would be 20 mm.*give unit"):
         rc.solve("surface.npy", pitch=0.02, modulus=1e9, load=1e-5)
     assert rc.solve("surface.npy", pitch=0.02, unit="m", modulus=1e9, load=1e-5).certified
     assert rc.solve(np.load("surface.npy"), pitch=0.02, modulus=1e9, load=1e-5).certified  # in the caller's units
 
 
-def test_a_layer_is_the_kernel_of_that_name(folder, monkeypatch):
-    monkeypatch.chdir(folder)
+def test_a_layer_is_the_kernel_of_that_name(here):
     words = given({**ELASTIC})
     words["surface"], surface = None, words["surface"]
     words = {name: value for name, value in words.items() if value is not None}

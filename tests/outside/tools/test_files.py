@@ -10,7 +10,7 @@ import subprocess
 import time
 
 import harness
-from harness import CommandTest, gsf, np, paraboloid, rough, step_file, without_gnuplot
+from harness import CommandTest, gsf, np, rough, step_file, without_gnuplot
 
 PRESS = ["--modulus", "1e9", "--approach", "1.5e-7", "--boundary", "free"]
 
@@ -26,16 +26,6 @@ class Reading(CommandTest):
         gap, found = self.gap_of(surface, *arguments)
         np.testing.assert_allclose(gap, z.max() - z, rtol=rtol, atol=rtol * np.ptp(z))
         np.testing.assert_allclose(found, pitch, rtol=1e-14)
-
-    def test_npy_types_orders_and_versions(self):
-        z = np.arange(35).reshape(5, 7) ** 2 % 23
-        for kind in ("<f4", ">f4", "<f8", ">f8", "<i2", ">i2", "<i4", ">i4"):
-            for version in ((1, 0), (2, 0), (3, 0)):
-                for fortran in (False, True):
-                    stream = io.BytesIO()
-                    array = z.astype(kind, order="F" if fortran else "C")
-                    np.lib.format.write_array(stream, array, version=version)
-                    self.assert_reads(self.file("a.npy", stream.getvalue()), z * 1.0, (2, 3), "--pitch", "2,3", "--unit", "m")
 
     def test_gsf_units_and_pitch(self):
         z = rough().astype("<f4").astype(float)
@@ -53,20 +43,6 @@ class Reading(CommandTest):
         np.save(stream, z)
         for name, contents in (("array.gsf", stream.getvalue()), ("array", stream.getvalue()), ("field.npy", gsf(z, 1, 1))):
             self.assert_reads(self.file(name, contents), z, (1, 1), "--pitch", "1", "--unit", "m")
-
-    def test_text_separators(self):
-        z = np.arange(12.0).reshape(3, 4) / 8
-        for separator in (" ", "\t", ",", ", ", ";", " ; "):
-            for end in ("\n", "\r\n", separator.strip() + "\n"):
-                text = "# comment\n\n" + "".join(separator.join(map(str, row)) + end for row in z)
-                self.assert_reads(self.file("a.txt", text), z, (1, 1), "--pitch", "1", "--unit", "m")
-        self.assert_reads(self.file("a.CSV", "\ufeff+1,2e0\n-3.5,.25"), np.array([[1, 2], [-3.5, 0.25]]), (1, 1), "--pitch", "1", "--unit", "m")
-
-    def test_text_header_of_gwyddion(self):
-        z = np.arange(12.0).reshape(3, 4)
-        text = "# Channel: Height\n# Width: 10.00 \u00b5m\n# Height: 6.00 \u00b5m\n# Value units: %s\n" + "\n".join("\t".join(map(str, row)) for row in z)
-        self.assert_reads(self.file("a.txt", text % "m"), z, (2.5e-6, 2e-6))
-        self.assert_fails("solve", self.file("a.txt", text % "nm"), *PRESS, "--unit", "mm", says=["a.txt", "\u00b5m in the file", "mm"])
 
     def test_wrong_files(self):
         good = gsf(rough(6, 8), 1, 1)

@@ -96,22 +96,6 @@ class Laws(CommandTest):
             np.testing.assert_allclose(other[name], said[name] * factor, rtol=1e-12)
         np.testing.assert_allclose(np.genfromtxt(self.folder / "b.csv", delimiter=",", names=True)["pressure"][-1], said["p_upper"], rtol=1e-9)
 
-    def test_levelled_masked_free_and_hard(self):
-        z = rough(24, 24, rms=5e-8) + 1e-7 * np.arange(24)
-        z[3:5, 7:9] = np.nan
-        name = self.npy(z)
-        common = [name, "--pitch", "1um", "--modulus", "230GPa", "--missing", "exclude", "--remove", "plane", "--tolerance", "5%", "--json", "a.json"]
-        done = self.law(*common, "--boundary", "free", "--pressure", "10MPa..100MPa")
-        self.assertIn("plane removed, 4 missing points excluded", done.stdout)
-        self.assertIn("change of the mean gap from first touch", done.stdout)
-        done = self.law(*common, "--boundary", "free", "--bulk", "5e6N/m", "--pressure", "10MPa..100MPa")
-        self.assertIn("less load / (5 MN/m)", done.stdout)
-        done = self.law(*common, "--shape", "sphere:R=1mm", "--bulk", "none", "--pressure", "10MPa..100MPa")
-        self.assertIn("shape sphere:R=1mm", done.stdout)
-        self.law(*common, "--boundary", "periodic", "--hardness", "5GPa", "--pressure", "10MPa..100MPa")
-        said = json.loads((self.folder / "a.json").read_text())["law"]
-        self.assertEqual((said["hardness"], said["bounds"]), (5e9, "slopes"))
-
     def test_too_few_nodes_are_said(self):
         name = self.npy(rough(24, 24, rms=5e-8))
         done = self.law(name, *MAKE, "--max-nodes", 4, "-o", "a.law", code=2)
@@ -154,11 +138,9 @@ class Refusals(CommandTest):
         for arguments, says in (
                 (law, "--pressure is missing, give the range of the law as 1MPa..500MPa"),
                 ([*law, "--pressure", "1MPa"], '--pressure: "1MPa" is not a range'),
-                ([*law, "--pressure", "1MPa..1"], "has a unit and"),
                 ([*law, "--pressure", "2MPa..1MPa"], "is not a range that rises"),
                 ([*law, "--pressure", "0Pa..1MPa"], "is not a range that rises from a pressure above 0"),
                 ([*law, "--pressure", "1kPa..1TPa"], "--pressure: at p = "),
-                (["law", name, "--pitch", "1um", "--E", "1GPa", "--pressure", "1kPa..1MPa"], "--nu is missing"),
                 ([*pressed, "--tolerance", "20%"], '--tolerance: "20%" must be 0.0001 % .. 10 %'),
                 ([*pressed, "--tolerance", "1e-9"], "--tolerance"), ([*pressed, "--conductance-tolerance", "0"], "0.01 % .. 100 %"),
                 ([*pressed, "--bulk", "men"], 'did you mean "mean"?'), ([*pressed, "--bulk", "mean"], "--bulk: mean is for --boundary free"),

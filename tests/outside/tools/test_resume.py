@@ -55,6 +55,15 @@ class Resume(CommandTest):
                     self.press(",".join(targets[:steps]), cut, "--quiet", "--resume", *arguments, control=control)
                 assert_same_results(self, cut, whole)
 
+    def test_resumed_with_another_body(self):
+        self.npy(rough(seed=1), "one.npy"), self.npy(rough(seed=2), "other.npy"), self.npy(rough(seed=3), "third.npy")
+        common = ["solve", "one.npy", "--pitch", "1um", "--modulus", "1GPa", "--out", "out", "--quiet"]
+        self.run_command(*common, "--against", "other.npy", "--approach", "1e-7", env=without_gnuplot())
+        (self.folder / "other.npy").rename(self.folder / "moved.npy")
+        done = self.run_command(*common, "--against", "moved.npy", "--approach", "1e-7,2e-7", "--resume", env=without_gnuplot())
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assert_fails(*common, "--against", "third.npy", "--approach", "1e-7,2e-7", "--resume", says="checksum")
+
     def test_a_plastic_history_goes_on(self):
         yielding = ["--hardness", "2e7", "--solver", "polonsky-keer", "--quiet"]
         for control, targets in (("--approach", ["1e-7", "2e-7", "1.9e-7", "3e-8", "2.5e-7"]), ("--pressure", ["1e5", "1e6", "9e5", "1e4", "2e6"])):
