@@ -177,7 +177,7 @@ def _stacked(heights: Any, words: Dict[str, Any], system: Optional[System]) -> T
         return heights, 0 if alone or axes == (2 if system is None else len(system.shape)) else 1
     otherwise = words.get("pitch") if system is None else system.pitch
     pitch, unit = (words.pop(name, None) for name in ("pitch", "unit"))
-    each = [as_surface(one, pitch, missing="exclude", unit=unit, otherwise=otherwise) for one in heights]
+    each = [as_surface(one, pitch, exclude=True, unit=unit, otherwise=otherwise) for one in heights]
     first = each[0]
     if any(one.shape != first.shape or not same_pitch(one.pitch, first.pitch) for one in each):
         raise ShapeError("the surfaces differ in shape or pitch; a batch has one grid")

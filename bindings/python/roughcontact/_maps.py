@@ -11,7 +11,7 @@ from ._data_arrays import Described, described
 from ._device import device_array
 from ._errors import ArgumentError, ShapeError
 from ._files import is_file, surface_in
-from ._height_map import Stack, Surface, refuse_contradiction, same_pitch
+from ._height_map import Surface, refuse_contradiction, same_pitch
 from ._units import bare_metres, metres_of
 
 
@@ -61,19 +61,15 @@ def pitch_of_topography(thing: Any, shape: Tuple[int, ...]) -> Tuple[float, floa
 
 
 def _first(where: NDArray[np.bool_]) -> str:
-    """Place of the first point that is true, as the library names it; of a stack of maps also which one."""
+    """Place of the first point that is true, as the library names it."""
     *before, ix = (int(i) for i in np.argwhere(where)[0])
-    iy = before.pop() if before else 0
-    return f"ix={ix}, iy={iy}" + (f" of map {before[0]}" if before else "")
+    return f"ix={ix}, iy={before[0] if before else 0}"
 
 
-def _without_missing(values: Any, mask: Optional[ArrayLike], missing: str, leading: int = 0) -> Tuple[Doubles, Optional[Mask]]:
+def _without_missing(values: Any, mask: Optional[ArrayLike], exclude: bool) -> Tuple[Doubles, Optional[Mask]]:
     """(heights, mask) where masked values and NaN are missing points."""
-    if missing not in ("reject", "exclude"):
-        raise ArgumentError(f"missing is {missing!r}: 'reject', 'exclude' or 'fill'")
     heights, absent = without_masked(values, "heights")
-    shared = mask is not None and np.ndim(mask) < heights.ndim
-    given = as_mask(mask, "mask", heights.shape[leading:] if shared else heights.shape)
+    given = as_mask(mask, "mask", heights.shape)
     unknown = ~np.isfinite(heights)
     if absent is not None:
         unknown |= absent
@@ -88,7 +84,7 @@ def _without_missing(values: Any, mask: Optional[ArrayLike], missing: str, leadi
         raise ArgumentError(
             f"heights have {int(infinite.sum())} infinite values, the first at {_first(infinite)}; mask them or make them NaN"
         )
-    if missing == "reject":
+    if not exclude:
         raise ArgumentError(
             f"heights have {int(unknown.sum())} missing points (masked or NaN), the first at {_first(unknown)}; pass "
             "missing='fill' to interpolate them, or missing='exclude': they then carry no pressure"
@@ -97,10 +93,10 @@ def _without_missing(values: Any, mask: Optional[ArrayLike], missing: str, leadi
     return heights, present.view(np.uint8)
 
 
-def gap_in_metres(gap: Any, unit: Optional[str] = None) -> Any:
+def gap_in_metres(gap: Any) -> Any:
     """An undeformed gap as it is if its unit is not known. On a device it stays there."""
     says = described(gap)
-    metres = bare_metres(unit, says.unit if says else None)
+    metres = bare_metres(None, says.unit if says else None)
     if metres == 1:
         return gap
     return gap * metres if device_array(gap, "undeformed_gap") is not None else as_doubles(gap, "undeformed_gap") * metres
@@ -129,36 +125,33 @@ def as_surface(
     pitch: Optional[Pitch] = None,
     periodic: Optional[bool] = None,
     mask: Optional[ArrayLike] = None,
-    missing: str = "reject",
+    exclude: bool = False,
     unit: Optional[str] = None,
-    leading: int = 0,
     otherwise: Optional[Pitch] = None,
     in_metres: bool = True,
 ) -> Surface:
     """A Surface from a Surface, a file, an object with the methods of SurfaceTopography's, or an array and a pitch; in metres, if
     its unit is known.
 
-    missing: "reject", "exclude", or "fill" with `Surface.filled`
+    exclude: whether points may be missing
     unit: of heights and pitch that have none
     otherwise: the pitch of what brings none, where pitch is None; in metres if the surface is
     in_metres: False: a surface keeps its unit
     """
     if is_file(thing):
-        return as_surface(surface_in(thing, pitch, unit, otherwise=otherwise), None, periodic, mask, missing, None, leading)
-    if missing == "fill":
-        return as_surface(thing, pitch, periodic, mask, "exclude", unit, leading, otherwise, in_metres).filled()
+        return as_surface(surface_in(thing, pitch, unit, otherwise=otherwise), None, periodic, mask, exclude)
     own = unit_of(thing)
     metres = bare_metres(unit, own)
     if in_metres:
         pitch, otherwise = _pitch_in(own, pitch), _pitch_in(own or unit, otherwise)
     at_hand = otherwise if pitch is None else pitch
     if isinstance(thing, Surface):
-        heights, found_mask = _without_missing(thing.heights, thing.mask if mask is None else mask, missing)
+        heights, found_mask = _without_missing(thing.heights, thing.mask if mask is None else mask, exclude)
         found = replace(thing, heights=heights, mask=found_mask, pitch=_own_pitch(thing.pitch, pitch, own))
     elif has_methods_of_a_topography(thing):
         if getattr(thing, "is_uniform", True) is False:
             raise ArgumentError("the topography is not on a uniform grid; interpolate it onto one")
-        heights, found_mask = _without_missing(thing.heights(), mask, missing)
+        heights, found_mask = _without_missing(thing.heights(), mask, exclude)
         refuse_one_row(heights, "the topography", pitch)
         silent = thing.physical_sizes is None or (pitch is not None and heights.ndim == 1)
         if silent:
@@ -171,9 +164,9 @@ def as_surface(
         if None in (says.hx, says.hy):
             _refuse_unclear(pitch, own)
         sides = _pitch_of_coordinates(says, pitch, otherwise)
-        heights, found_mask = _without_missing(thing, mask, missing, leading)
-        refuse_one_row(heights, "heights", pitch, leading + 1)
-        found = (Stack if leading else Surface)(heights, sides, says.periodic, found_mask, says.unit)
+        heights, found_mask = _without_missing(thing, mask, exclude)
+        refuse_one_row(heights, "heights", pitch)
+        found = Surface(heights, sides, says.periodic, found_mask, says.unit)
     if periodic is not None:
         found = replace(found, periodic=bool(periodic))
     if own is None and unit is not None:

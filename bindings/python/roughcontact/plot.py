@@ -89,7 +89,7 @@ def _outcome(result: Result, si: bool) -> str:
 
 def heights(surface: Any, *, pitch: Optional[Pitch] = None, ax: Any = None, si: bool = True, **how: Any) -> Any:
     """A map of heights; missing points are dark. A surface's own unit comes before si. how: for imshow."""
-    found = as_surface(surface, pitch, missing="exclude", in_metres=False)
+    found = as_surface(surface, pitch, exclude=True, in_metres=False)
     shown = found.heights if found.mask is None else np.ma.array(found.heights, mask=found.mask == 0)
     plain = found.unit not in (None, "m")
     unit = "m" if si and not plain else None

@@ -360,7 +360,7 @@ def downsample(surface: Any, filter: str, *, pitch: Optional[Pitch] = None, mask
     """
     if filter not in FILTERS:
         raise ArgumentError(f"filter is {filter!r}: {', '.join(FILTERS)}")
-    fine = as_surface(surface, pitch, mask=mask, missing="exclude")
+    fine = as_surface(surface, pitch, mask=mask, exclude=True)
     heights = as_doubles(fine.heights, "heights")
     nx, ny = columns_and_rows(fine.shape)
     coarse = tuple((n + 1) // 2 for n in fine.shape)

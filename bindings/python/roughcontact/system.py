@@ -144,7 +144,7 @@ class HalfSpace(System):
         hardness: Optional[float] = None,
     ) -> HalfSpace:
         """The grid of a surface: a `Surface`, a topography of SurfaceTopography, or an array with a pitch."""
-        found = as_surface(surface, pitch, missing="exclude")
+        found = as_surface(surface, pitch, exclude=True)
         boundary = boundary_of(boundary, found.periodic)
         return cls(found.shape, pitch=found.pitch, modulus=modulus, E=E, nu=nu, boundary=boundary, hardness=hardness)
 
