@@ -40,12 +40,21 @@ extern "C" {
  *  with RC_STOP_CANCELLED. Must return: no exception, no longjmp. */
 typedef int32_t (*rc_budget_progress_fn)(int64_t ended, int64_t all, void *user);
 
+/** One more quantity of each solve, such as a leak: *value, and between *lower and *upper the exact one of this grid (NaN, as they
+ *  come: not known). result has p and gap; mask: [ny*nx], 0 at points that carry no pressure. On the calling thread. Return nonzero
+ *  to end the budget with RC_ERR_EXTERNAL. Must return: no exception, no longjmp. */
+typedef int32_t (*rc_budget_value_fn)(const rc_system *system, const rc_result *result, const uint8_t *mask, void *user,
+                                      double *value, double *lower, double *upper);
+
 typedef struct rc_budget_spec {
   size_t struct_size;
   const char *sources;            /* as above                                                                        */
   const rc_options *options;      /* of the solves; NULL: the defaults, with those that the words set                */
   rc_budget_progress_fn progress; /* NULL: none                                                                      */
-  void *user;                     /* handed to progress                                                              */
+  void *user;                     /* handed to progress and value                                                    */
+  rc_budget_value_fn value;       /* NULL: none                                                                      */
+  const char *value_name;         /* "leak"                                                                          */
+  const char *value_unit;         /* "m^3/s"; NULL: none                                                             */
 } rc_budget_spec;
 #define RC_BUDGET_SPEC_INIT RC_BEGIN(rc_budget_spec)
 
@@ -62,7 +71,8 @@ RC_API void rc_budget_destroy(rc_budget *budget);
 typedef struct rc_budget_quantity {
   size_t struct_size;
   const char *name;      /* "load", "approach", "area" (a share), "mean_pressure", "stiffness", "mean_gap", "conductance":
-                            2 stiffness/E*, which is the conductance times the sum of both resistivities [length]    */
+                            2 stiffness/E*, which is the conductance times the sum of both resistivities [length]; then
+                            rc_budget_spec.value_name, if there is a value                                           */
   const char *unit;      /* "N", "m", "", "Pa", "N/m"; "" without units                                              */
   const char *sentence;  /* value, expanded uncertainty and what dominates, for people                               */
   double value;          /* of the request as it is; NaN: not known, such as the stiffness of a caller's choice      */

@@ -10,6 +10,7 @@ namespace {
 
 std::unique_ptr<rc_budget> made_budget(const rc_request_spec& spec, const rc_budget_spec& given) {
   if (!given.sources) fail(RC_ERR_ARGUMENT, "rc_budget_spec.sources is null");
+  if (given.value && !given.value_name) fail(RC_ERR_ARGUMENT, "rc_budget_spec.value_name is null");
   if (spec.call != RC_CALL_SOLVE && spec.call != RC_CALL_HISTORY)
     fail(RC_ERR_ARGUMENT, "rc_request_spec.call = ", spec.call,
          " presses no single surface; give RC_CALL_SOLVE or RC_CALL_HISTORY");
@@ -19,10 +20,11 @@ std::unique_ptr<rc_budget> made_budget(const rc_request_spec& spec, const rc_bud
   if (base->targets.empty()) fail(RC_ERR_ARGUMENT, "a budget is of a step, give approach, load, pressure or area");
   auto budget = std::make_unique<rc_budget>();
   budget->sources = read_sources(given.sources, Words{spec, {}}, *base);
-  budget->si = base->view.si == 1;
+  const bool si = base->view.si == 1;
+  budget->names = quantity_names(si, {given.value_name ? given.value_name : "", given.value_unit ? given.value_unit : ""});
   budget->rows = rows_of(spec, given, *base, budget->sources, budget->value);
-  for (std::size_t q = 0; q < of::count; ++q)
-    budget->combined.push_back(combine(q, budget->value[q], budget->rows, budget->sources, budget->si));
+  for (std::size_t q = 0; q < (given.value ? of::count : of::further); ++q)
+    budget->combined.push_back(combine(q, budget->names[q], budget->value[q], budget->rows, budget->sources));
   return budget;
 }
 
@@ -56,7 +58,7 @@ rc_status rc_budget_create(const rc_request_spec* request, const rc_budget_spec*
 
 void rc_budget_destroy(rc_budget* budget) { delete budget; }
 
-int64_t rc_budget_quantity_count(const rc_budget* budget) { return budget ? std::int64_t{of::count} : 0; }
+int64_t rc_budget_quantity_count(const rc_budget* budget) { return budget ? std::ssize(budget->combined) : 0; }
 int64_t rc_budget_source_count(const rc_budget* budget) { return budget ? std::ssize(budget->rows) : 0; }
 
 rc_status rc_budget_get_quantity(const rc_budget* budget, int64_t index, rc_budget_quantity* out) {
@@ -67,8 +69,8 @@ rc_status rc_budget_get_quantity(const rc_budget* budget, int64_t index, rc_budg
     const auto q = static_cast<std::size_t>(index);
     const Combined& found = budget->combined[q];
     rc_budget_quantity quantity = RC_BUDGET_QUANTITY_INIT;
-    quantity.name = quantity_names[q].name;
-    quantity.unit = budget->si ? quantity_names[q].unit : "";
+    quantity.name = budget->names[q].name.c_str();
+    quantity.unit = budget->names[q].unit.c_str();
     quantity.sentence = found.sentence.c_str();
     quantity.value = budget->value[q];
     quantity.standard = found.standard;

@@ -31,13 +31,15 @@ struct Combined {
 std::vector<Row> rows_of(const rc_request_spec& spec, const rc_budget_spec& budget, const rc_request& base,
                          const Sources& sources, Outcome& value);
 
-// Of one quantity: its contributions by each source.
-Combined combine(std::size_t quantity, double value, const std::vector<Row>& rows, const Sources& sources, bool si);
-
+// A quantity; without units its unit is "".
 struct Named {
-  const char *name, *unit;
+  std::string name, unit;
 };
-extern const std::array<Named, of::count> quantity_names;
+// further: of rc_budget_spec.value.
+std::array<Named, of::count> quantity_names(bool si, const Named& further);
+
+// Of one quantity: its contributions by each source.
+Combined combine(std::size_t quantity, const Named& named, double value, const std::vector<Row>& rows, const Sources& sources);
 
 }  // namespace rc::request
 
@@ -45,6 +47,6 @@ struct rc_budget {
   rc::request::Sources sources;
   rc::request::Outcome value;
   std::vector<rc::request::Row> rows;
-  std::vector<rc::request::Combined> combined;
-  bool si;
+  std::array<rc::request::Named, rc::request::of::count> names;
+  std::vector<rc::request::Combined> combined;  // of the quantities that there are
 };

@@ -7,13 +7,19 @@
 
 namespace rc::request {
 
-const std::array<Named, of::count> quantity_names = {{{"load", "N"},
-                                                      {"approach", "m"},
-                                                      {"area", ""},
-                                                      {"mean_pressure", "Pa"},
-                                                      {"stiffness", "N/m"},
-                                                      {"mean_gap", "m"},
-                                                      {"conductance", "m"}}};
+std::array<Named, of::count> quantity_names(bool si, const Named& further) {
+  std::array<Named, of::count> names{{{"load", "N"},
+                                      {"approach", "m"},
+                                      {"area", ""},
+                                      {"mean_pressure", "Pa"},
+                                      {"stiffness", "N/m"},
+                                      {"mean_gap", "m"},
+                                      {"conductance", "m"},
+                                      further}};
+  for (Named& each : names)
+    if (!si) each.unit.clear();
+  return names;
+}
 
 namespace {
 
@@ -26,21 +32,23 @@ double student(double freedom) {
          (3 * z7 + 19 * z5 + 17 * z3 - 15 * z) / (384 * n * n * n);
 }
 
-std::string shown(std::size_t quantity, double value, int digits, bool si) {
+std::string shown(std::size_t quantity, const Named& named, double value, int digits) {
   if (quantity == of::area) return in_digits(100 * value, digits) + " %";
-  return si ? with_prefix(value, quantity_names[quantity].unit, digits) : in_digits(value, digits);
+  if (named.unit.empty()) return in_digits(value, digits);
+  const bool power = named.unit.find('^') != std::string::npos;  // the power of a prefix would be doubtful
+  return power ? in_digits(value, digits) + " " + named.unit : with_prefix(value, named.unit.c_str(), digits);
 }
 
-std::string sentence(std::size_t quantity, double value, const Combined& c, const std::vector<Row>& rows, const Sources& sources,
-                     bool si) {
-  std::string name = quantity_names[quantity].name;
+std::string sentence(std::size_t quantity, const Named& named, double value, const Combined& c, const std::vector<Row>& rows,
+                     const Sources& sources) {
+  std::string name = named.name;
   std::ranges::replace(name, '_', ' ');
   if (std::isnan(value)) return name + " is not known";
-  const std::string text = join(name, " ", shown(quantity, value, 4, si));
+  const std::string text = join(name, " ", shown(quantity, named, value, 4));
   if (!(c.standard > 1e-12 * std::abs(value))) return text + ": no source changes it";
   const auto share = [&](std::size_t k) { return rows[k][quantity].variance() / (c.standard * c.standard); };
   std::string told =
-      join(text, " +- ", shown(quantity, c.coverage * c.standard, 2, si), " (95 %, k = ", in_digits(c.coverage, 3), "): ");
+      join(text, " +- ", shown(quantity, named, c.coverage * c.standard, 2), " (95 %, k = ", in_digits(c.coverage, 3), "): ");
   const auto first = static_cast<std::size_t>(c.dominant);
   told += join(sources.all[first].name, " brings ", std::llround(100 * share(first)), " % of the variance");
   std::size_t second = rows.size();
@@ -52,7 +60,7 @@ std::string sentence(std::size_t quantity, double value, const Combined& c, cons
 
 }  // namespace
 
-Combined combine(std::size_t quantity, double value, const std::vector<Row>& rows, const Sources& sources, bool si) {
+Combined combine(std::size_t quantity, const Named& named, double value, const std::vector<Row>& rows, const Sources& sources) {
   double variance = 0, fourth = 0;
   Combined found{0, std::numeric_limits<double>::infinity(), 0, -1, ""};
   double largest = 0;
@@ -68,7 +76,7 @@ Combined combine(std::size_t quantity, double value, const std::vector<Row>& row
   found.standard = std::sqrt(variance);
   if (fourth > 0) found.freedom = variance * variance / fourth;
   found.coverage = student(found.freedom);
-  found.sentence = sentence(quantity, value, found, rows, sources, si);
+  found.sentence = sentence(quantity, named, value, found, rows, sources);
   return found;
 }
 

@@ -37,6 +37,7 @@ class Rows {
   std::vector<Row> all(Outcome& value) {
     value = value_ = press_.solve(problem_, "the contact itself");
     const rc_result proven = press_.result();
+    further_half_ = press_.further_half();
     std::vector<Row> rows;
     for (const Source& each : sources_.all)
       if (each.kind == Kind::noise) first_order(each);
@@ -230,6 +231,7 @@ class Rows {
     found[of::stiffness].standard = half(r.stiffness_lower, r.stiffness_upper);
     found[of::conductance].standard = 2 * found[of::stiffness].standard / problem_.system.modulus;
     found[of::mean_gap].standard = r.gap_error * rectangular;
+    found[of::further].standard = further_half_ * rectangular;
     return found;
   }
 
@@ -243,6 +245,7 @@ class Rows {
   Press press_;
   std::unique_ptr<Press> samples_of_base_;
   Outcome value_{}, first_{};
+  double further_half_ = 0;
 };
 
 }  // namespace

@@ -90,6 +90,10 @@ Outcome Press::solve(const Pressing& problem, const char* what) {
   step.borrow = 1;
   result_ = RC_RESULT_INIT;
   result_.gap = RC_OUT(deformed_.data());
+  if (progress_.spec.value) {
+    pressures_.resize(n);
+    result_.p = RC_OUT(pressures_.data());
+  }
   if (tell(nullptr, &progress_) != 0) throw Stopped{RC_STOP_CANCELLED};
   const rc_status status = rc_contact_solve(contact_.get(), &step, &result_);
   gap_ = std::move(gap);  // which the contact borrows, as it does the mask
@@ -106,7 +110,17 @@ Outcome Press::solve(const Pressing& problem, const char* what) {
   found[of::stiffness] = result_.stiffness;
   found[of::mean_gap] = result_.mean_gap;
   found[of::conductance] = result_.homogeneous == 1 ? 2 * result_.stiffness / problem.system.modulus : std::nan("");
+  found[of::further] = progress_.spec.value ? further(problem) : std::nan("");
   return found;
+}
+
+double Press::further(const Pressing& problem) {
+  const rc_budget_spec& spec = progress_.spec;
+  double value = std::nan("");
+  further_lower_ = further_upper_ = value;
+  if (spec.value(&problem.system, &result_, mask_.data(), spec.user, &value, &further_lower_, &further_upper_) != 0)
+    fail(RC_ERR_EXTERNAL, "the caller's function of ", spec.value_name, " has ended the budget");
+  return value;
 }
 
 std::vector<double> Press::derivative(const Pressing& problem, bool of_mean_gap) {

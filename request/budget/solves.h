@@ -15,7 +15,7 @@
 namespace rc::request {
 
 namespace of {
-enum Quantity : std::size_t { load, approach, area, mean_pressure, stiffness, mean_gap, conductance, count };
+enum Quantity : std::size_t { load, approach, area, mean_pressure, stiffness, mean_gap, conductance, further, count };
 }
 using Outcome = std::array<double, of::count>;
 
@@ -60,12 +60,17 @@ class Press {
   // dJ/dz of the last solve at each point: of the load or approach that is not prescribed, or of the mean gap. Empty if there is
   // none.
   std::vector<double> derivative(const Pressing& problem, bool of_mean_gap);
+  // Half the interval of rc_budget_spec.value that holds the exact one.
+  double further_half() const { return (further_upper_ - further_lower_) / 2; }
 
  private:
   std::unique_ptr<rc_contact, decltype(&rc_contact_destroy)> contact_{nullptr, rc_contact_destroy};
   Progress& progress_;
   rc_result result_ = RC_RESULT_INIT;
-  std::vector<double> gap_, deformed_;
+  double further(const Pressing& problem);
+
+  double further_lower_ = 0, further_upper_ = 0;
+  std::vector<double> gap_, deformed_, pressures_;
   std::vector<std::uint8_t> mask_;
 };
 

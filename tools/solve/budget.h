@@ -13,7 +13,7 @@ namespace cli {
 using Budget = std::shared_ptr<const rc_budget>;
 
 // Solves the last step again for each source of arguments.budget; null if the first signal ended it, see stop_flag().
-Budget make_budget(const SolveArguments& arguments, const rc_options* options);
+Budget make_budget(const SolveArguments& arguments, const Problem& problem, const rc_options* options);
 
 void print_budget(const rc_budget& budget);
 void add_budget(const rc_budget& budget, const std::string& sources, JsonText& document);

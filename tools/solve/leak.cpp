@@ -30,15 +30,16 @@ void check_flow(rc_status status, const char* subject) {
 
 }  // namespace
 
-std::optional<rc_flow_result> leak_of_step(const Problem& problem, const rc_options* options, const rc_result& result) {
+std::optional<rc_flow_result> leak_of(const Problem& problem, const rc_system& system, const std::uint8_t* mask,
+                                      const rc_options* options, const rc_result& result) {
   rc_flow_spec spec = RC_FLOW_SPEC_INIT;
   spec.along = problem.view.along;
   spec.viscosity = problem.view.viscosity;
   spec.pressure_drop = problem.view.pressure_drop;
-  spec.mask = RC_IN(problem.input.mask);
+  spec.mask = RC_IN(mask);
   rc_flow_result found = RC_FLOW_RESULT_INIT;
   rc_flow_stop_when(stop_flag());
-  const rc_status status = rc_flow_of_result(&problem.system, options, &result, &spec, &found);
+  const rc_status status = rc_flow_of_result(&system, options, &result, &spec, &found);
   check_flow(status, "--leak");
   return status == RC_STOP_CANCELLED ? std::nullopt : std::optional{found};
 }
@@ -69,7 +70,8 @@ bool search_closing_pressure(const Problem& problem, const rc_options* options) 
 
 #else
 
-std::optional<rc_flow_result> leak_of_step(const Problem&, const rc_options*, const rc_result&) {
+std::optional<rc_flow_result> leak_of(const Problem&, const rc_system&, const std::uint8_t*, const rc_options*,
+                                      const rc_result&) {
   throw Error("--leak: this command was built without CHOLMOD, which libroughcontact-flow needs");
 }
 

@@ -95,7 +95,7 @@ ExitCode run_solve(const SolveArguments& arguments) {
   const Interrupt interrupt{contact.get()};
   if (arguments.budget) {
     problem.budget_sources = *arguments.budget;
-    problem.budget = make_budget(arguments, options.get());
+    problem.budget = make_budget(arguments, problem, options.get());
     if (!problem.budget) return exit_cancelled;
   }
   std::optional<StepFiles> files;
@@ -117,7 +117,7 @@ ExitCode run_solve(const SolveArguments& arguments) {
     StepRecord step = solver.solve(number, fields);
     bar.clear();
     if (problem.view.viscosity > 0 && step.result.status != RC_STOP_CANCELLED) {
-      step.leak = leak_of_step(problem, options.get(), step.result);
+      step.leak = leak_of(problem, problem.system, problem.input.mask, options.get(), step.result);
       if (!step.leak) return exit_cancelled;
     }
 

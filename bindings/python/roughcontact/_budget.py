@@ -18,7 +18,8 @@ from ._keywords import documented, split_words
 from ._library import contact_library, request_library
 from ._progress import Bars
 from ._request import message_of_request, pressed
-from ._structs import rc_budget_contribution, rc_budget_progress_fn, rc_budget_quantity, rc_budget_spec
+from ._flow import leak_values
+from ._structs import rc_budget_contribution, rc_budget_progress_fn, rc_budget_quantity, rc_budget_spec, rc_budget_value_fn
 from .context import Context, Options, OptionSet
 
 Sources = Union[str, Mapping[str, Any]]
@@ -80,8 +81,9 @@ class Uncertain(Stored):
 
 @dataclass(frozen=True)
 class Budget(Stored):
-    """The quantities of a step, each with its contributions: load, approach, area (a share), mean_pressure, stiffness, mean_gap, and
-    conductance, which divided by the sum of both resistivities is the conductance. `solves` were made."""
+    """The quantities of a step, each with its contributions: load, approach, area (a share), mean_pressure, stiffness, mean_gap,
+    conductance, which divided by the sum of both resistivities is the conductance, and with the word leak the leak. `solves` were
+    made."""
 
     quantities: Tuple[Uncertain, ...]
     solves: int
@@ -144,6 +146,7 @@ def budget(
     *,
     undeformed_gap: Optional[ArrayLike] = None,
     mask: Optional[ArrayLike] = None,
+    leak: Optional[str] = None,
     options: Options = None,
     progress: Union[bool, Callable[[int, int], object]] = False,
     context: Optional[Context] = None,
@@ -156,12 +159,14 @@ def budget(
         lengths, pressures and so on. noise (with correlation), pitch, height, modulus, E, nu, E2, nu2, hardness, approach, load,
         pressure, area; bandwidth, remove, missing, shift, window, grid; samples (16) and seed (1). docs/how-to/uncertainty.md and
         <roughcontact/budget.h> say what each does. The solver's own proven intervals are always among them
+    leak: "viscosity=1mPas,drop=1bar", and ",along=y": the flow through the gap is one more quantity, see `Result.leak`
     progress: True: a bar of the package tqdm; or a function, called with the solves that have ended and all of them, which ends the
         budget by returning True
 
     Words as in `solve`:
     """
     given, options = split_words(budget, options, words, context)
+    given = given if leak is None else {**given, "leak": leak}
     problem = pressed(_constants.RC_CALL_SOLVE, heights, undeformed_gap, mask, None, given)
     problem.needed()
     text = _text_of(sources)
@@ -176,6 +181,16 @@ def budget(
     spec.sources, spec.progress = text.encode(), rc_budget_progress_fn(callbacks.guarded(so_far))
     handle = ctypes.c_void_p()
     chosen = problem.options(options)
+    view = problem.request.view
+    if view.viscosity > 0:
+
+        def value_of(system: Any, result: Any, points: Any, _: Any, value: Any, lower: Any, upper: Any) -> object:
+            fluid = {"viscosity": view.viscosity, "pressure_drop": view.pressure_drop, "along": view.along}
+            value[0], lower[0], upper[0] = leak_values(system, spec.options, result, points, **fluid)
+            return False
+
+        spec.value, spec.value_name = rc_budget_value_fn(callbacks.guarded(value_of)), b"leak"
+        spec.value_unit = b"m^3/s" if view.si else None
 
     def call() -> int:
         with OptionSet(chosen, context) as own:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import ctypes
 from dataclasses import dataclass
-from typing import Any, Callable, Optional
+from typing import Any, Callable, Optional, Tuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,7 +14,7 @@ from ._answers import Stored
 from ._arrays import Doubles, Pitch, as_doubles, as_pitch, columns_and_rows, given, refuse_one_row
 from ._brief import brief
 from ._c import S, members_for
-from ._calls import conclude, flow_calls, interruptible
+from ._calls import check, conclude, flow_calls, interruptible
 from ._device import on_host
 from ._errors import ArgumentError, as_status
 from ._keywords import split_words
@@ -158,6 +159,15 @@ def flow(
     out = rc_flow_result()
     answer: Leak = _called(Leak, out, lambda: int(flow_library().rc_flow_solve(spec, out)), spec, potential=potential)
     return answer
+
+
+def leak_values(system: Any, options: Any, result: Any, mask: Any, **fluid: Any) -> Tuple[float, float, float]:
+    """(flow, lower, upper) of a result in C's form, on the thread of a callback."""
+    spec, out = given(rc_flow_spec(), **fluid), rc_flow_result()
+    spec.mask.data = ctypes.cast(mask, ctypes.c_void_p)
+    library = flow_library()
+    check(library.rc_flow_of_result(system.contents, options, result.contents, spec, out), flow_calls().last_message)
+    return out.flow, out.lower, out.upper
 
 
 def flow_factors(

@@ -320,9 +320,13 @@ class rc_smooth(Sized):
 rc_budget_progress_fn = callback(int32_t, int64_t, int64_t, handle)
 
 
+rc_budget_value_fn = callback(int32_t, rc_system, rc_result, bytes_, handle, doubles, doubles, doubles)
+
+
 @struct
 class rc_budget_spec(Sized):
-    members = "size_t struct_size; text sources; handle options; rc_budget_progress_fn progress; handle user"
+    members = """size_t struct_size; text sources; handle options; rc_budget_progress_fn progress; handle user;
+    rc_budget_value_fn value; text value_name value_unit"""
 
 
 @struct

@@ -269,3 +269,24 @@ def test_command_and_report_say_what_dominates(tmp_path):
     assert any("Area" in each and "of the variance" in each for each in wording.sentences(content))
     assert [row[0] for row in wording.budget_rows(content)] == ["noise 5nm", "E 5%", "solver", "combined", "coverage"]
     assert "--budget noise=5nm,E=5%" in content.command
+
+
+def test_the_leak_has_a_budget():
+    try:
+        rc.raw.flow_library()
+    except rc.LibraryNotFoundError as absent:
+        pytest.skip(str(absent))
+    words = {"leak": "viscosity=1mPas,drop=1bar", "pressure": "0.3GPa", **STEEL}
+    found = rc.budget(surface(1), "height=2%,shift=1mm,samples=4", against=surface(2), **words)["leak"]
+    pressed = {"against": surface(2), "pressure": "0.3GPa", "want_gap": True, **STEEL}
+    fluid = {"viscosity": 1e-3, "pressure_drop": 1e5}
+    result = rc.solve(surface(1), **pressed)
+    leak = result.leak(**fluid)
+    assert found.value == pytest.approx(leak.flow) and found.unit == "m^3/s"
+    assert found["solver"].standard == pytest.approx((leak.upper - leak.lower) / np.sqrt(12), rel=1e-3)
+    flows = []
+    for f in (0.98, 1.02):
+        scaled = rc.Surface(f * surface(1).heights, (1e-6, 1e-6), True), rc.Surface(f * surface(2).heights, (1e-6, 1e-6), True)
+        flows.append(rc.solve(scaled[0], **{**pressed, "against": scaled[1]}).leak(**fluid).flow)
+    assert found["height"].standard == pytest.approx(abs(flows[1] - flows[0]) / 2, rel=1e-4)
+    assert found["shift"].standard > 0 and "m^3/s" in found.sentence

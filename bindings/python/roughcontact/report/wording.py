@@ -132,7 +132,7 @@ def leak_rows(content: Content) -> List[Tuple[str, ...]]:
     ]
 
 
-BUDGET_NAMES = ("load", "approach", "area", "mean_pressure", "stiffness", "mean_gap", "conductance")
+BUDGET_NAMES = ("load", "approach", "area", "mean_pressure", "stiffness", "mean_gap", "conductance", "leak")
 
 
 def _quantities(content: Content) -> List[Tuple[str, Dict[str, Any]]]:
