@@ -163,11 +163,15 @@ def budget_rows(content: Content) -> List[Tuple[str, ...]]:
     def shown(value: Optional[float], quantity: Dict[str, Any]) -> str:
         if value is None:
             return "not known"
+        if abs(value) < 1e-9 * abs(quantity["value"]):
+            return "0"
+        if "^" in quantity["unit"]:
+            return f"{value:.2g} {quantity['unit']}"
         return f"{100 * value:.2g} %" if quantity["unit"] == "" else with_prefix(value, quantity["unit"], 2)
 
     def part(quantity: Dict[str, Any], source: str) -> str:
         found = quantity["contributions"][source]
-        shift = f", shift {shown(found['shift'], quantity)}" if found["shift"] else ""
+        shift = f", shift {shown(found['shift'], quantity)}" if abs(found["shift"] or 0) > 1e-9 * abs(quantity["value"]) else ""
         return shown(found["standard"], quantity) + shift
 
     sources = quantities[0]["contributions"]
