@@ -200,7 +200,7 @@ class Bench:
 
     def run(self):
         self.find_codes()
-        for case in cases(self.request.sizes, self.request.percents, self.request.quick):
+        for case in cases(self.request.sizes, self.request.percents, self.request.quick, self.request.edges):
             if any(name in self.usable for name in case.codes()):
                 self.run_case(case)
         self.store.save()
@@ -294,7 +294,7 @@ def code_names(text):
 question('peers', 'side by side with the textbook method and other codes', run, {
     'only': (code_names, [], 'codes; a first word takes its variants: ' + ', '.join(CODES)),
     'sizes': (listed(int), [], f'points a side; up to {LARGEST_MATRIX} points in all: the dense codes'),
-    'percents': (listed(float), [], 'contact areas'), 'threads': (int, 2, 'threads'),
+    'percents': (listed(float), [], 'contact areas'), 'edges': (str, '', 'free or periodic; both unless given'), 'threads': (int, 2, 'threads'),
     'repeats': (int, 0, f'of solves below {REPEATED} s; 0: 2'), 'limit': (float, 0, 'seconds for one run; 0: 20, quick 10'),
     'again': (bool, False, 'measure the chosen codes and problems anew, keep the others'),
     'work': (str, '', 'folder for surfaces and pressures; a temporary one'),

@@ -84,10 +84,9 @@ class Case:
 
 SMALL_SIZES = (16, 24, 32, 38)
 SHARES = (0.1, 1, 10, 50)  # of the points in contact, in percent
-LARGEST_FREE = 4096  # points a side; periodic surfaces are compared on larger ones, too
 
 
-def cases(sizes, percents, quick):
+def cases(sizes, percents, quick, edges):
     """From cheap to expensive, so that what a budget cuts off is what costs most."""
     found = []
     for n in sorted(sizes or [*(SMALL_SIZES[2:3] if quick else SMALL_SIZES), *((256, 512) if quick else (512, 1024, 2048))]):
@@ -95,11 +94,10 @@ def cases(sizes, percents, quick):
             found.append(Case('wavy', n, 'free', 'approach', 30))
             continue
         shares = percents or ((1, 10) if quick else SHARES)
-        if n <= LARGEST_FREE:
-            found += [Case('rough', n, 'free', 'load', percent) for percent in shares]
-            found.append(Case('rough', n, 'free', 'approach', 10))
+        found += [Case('rough', n, 'free', 'load', percent) for percent in shares]
+        found += [] if percents else [Case('rough', n, 'free', 'approach', 10)]
         found += [Case('wavy', n, 'periodic', 'load', percent) for percent in (percents or (10,) if quick else shares)]
-    return found
+    return [case for case in found if edges in ('', case.boundary)]
 
 
 HURST, SEED, WAVES, SHORTEST, RMS = 0.8, 42, 12, 0.33, 0.02
