@@ -205,7 +205,8 @@ def given(members: S, **values: Any) -> S:
     for name, value in values.items():
         if isinstance(value, (np.ndarray, DeviceArray)):
             member: Any = getattr(members, name)
-            if isinstance(member, (rc_array, rc_const_array)):
+            described = isinstance(member, (rc_array, rc_const_array))
+            if described:
                 _describe(member, value)
             else:
                 setattr(members, name, pointer(value))  # type: ignore[arg-type]

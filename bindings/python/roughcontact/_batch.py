@@ -18,9 +18,9 @@ from ._library import contact_library
 from ._files import is_file
 from ._height_map import Stack, same_pitch
 from ._keywords import split_words
-from ._maps import as_surface
+from ._request import as_surface
 from ._progress import Bars
-from ._request import pressed
+from ._pressed import pressed
 from ._status import Status
 from ._structs import rc_batch, rc_batch_fn, rc_batch_progress_fn
 from ._threads import with_threads
@@ -177,7 +177,7 @@ def _stacked(heights: Any, words: Dict[str, Any], system: Optional[System]) -> T
         return heights, 0 if alone or axes == (2 if system is None else len(system.shape)) else 1
     otherwise = words.get("pitch") if system is None else system.pitch
     pitch, unit = (words.pop(name, None) for name in ("pitch", "unit"))
-    each = [as_surface(one, pitch, exclude=True, unit=unit, otherwise=otherwise) for one in heights]
+    each = [as_surface(one, pitch, unit=unit, otherwise=otherwise) for one in heights]
     first = each[0]
     if any(one.shape != first.shape or not same_pitch(one.pitch, first.pitch) for one in each):
         raise ShapeError("the surfaces differ in shape or pitch; a batch has one grid")

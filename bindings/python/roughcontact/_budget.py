@@ -17,7 +17,8 @@ from ._errors import ArgumentError
 from ._keywords import documented, split_words
 from ._library import contact_library, request_library
 from ._progress import Bars
-from ._request import message_of_request, pressed
+from ._pressed import pressed
+from ._request import message_of_request
 from ._flow import leak_values
 from ._structs import rc_budget_contribution, rc_budget_progress_fn, rc_budget_quantity, rc_budget_spec, rc_budget_value_fn
 from .context import Context, Options, OptionSet

@@ -19,7 +19,7 @@ from ._device import on_host
 from ._errors import ArgumentError, as_status
 from ._keywords import split_words
 from ._library import flow_library
-from ._request import pressed
+from ._pressed import pressed
 from ._status import Status
 from ._structs import rc_flow_closing, rc_flow_factors, rc_flow_result, rc_flow_spec, rc_result, rc_step
 from .context import Context, Options, OptionSet

@@ -270,13 +270,13 @@ def same_pitch(one: Tuple[float, float], other: Tuple[float, float]) -> bool:
     return np.allclose(one, other, rtol=1e-6, atol=0)
 
 
-def refuse_contradiction(
-    pitch: Tuple[float, float], own: Tuple[Optional[float], Optional[float]], whose: str = "the coordinates of the heights"
-) -> None:
+def refuse_contradiction(pitch: Tuple[float, float], own: Tuple[Optional[float], Optional[float]]) -> None:
     """pitch, which is given, against that of an array's coordinates, which may be rounded."""
-    for given, known in zip(pitch, own):
-        if known is not None and not np.isclose(given, known, rtol=1e-3, atol=0):
-            raise ArgumentError(f"pitch is {pitch}, but {whose} say {own}; the surface has its own: leave pitch out")
+    for side, known in zip(pitch, own):
+        if known is not None and not np.isclose(side, known, rtol=1e-3, atol=0):
+            raise ArgumentError(
+                f"pitch is {pitch}, but the coordinates of the heights say {own}; the surface has its own: leave pitch out"
+            )
 
 
 def gap_below(heights: Doubles, mask: Optional[NDArray[Any]], leading: int) -> Doubles:

@@ -10,7 +10,7 @@ from ._arrays import Doubles, Mask, as_switch, doubles_at, given
 from ._calls import Callbacks
 from ._errors import ArgumentError, as_status
 from ._handle import Handle
-from ._request import Prescribed
+from ._pressed import Prescribed
 from ._library import contact_library
 from ._structs import rc_history, rc_history_fn
 from ._measures import measures_of

@@ -17,7 +17,7 @@ from ._handle import Progress, progress_caller
 from ._keywords import split_words
 from ._library import contact_library
 from ._paths import Path, as_path
-from ._request import pressed
+from ._pressed import pressed
 from ._slip import Slip
 from ._status import Status
 from ._structs import rc_law_export_spec, rc_law_info, rc_law_node, rc_law_point, rc_law_spec, rc_progress_fn
@@ -175,7 +175,7 @@ class Law(OwnsHandle):
         out = np.empty_like(array)
         one = np.empty(1)
         for i, value in enumerate(array.flat):
-            check(call(value, pointer(one)))
+            check(call(float(value), pointer(one)))
             out.flat[i] = one[0]
         return out[()]
 

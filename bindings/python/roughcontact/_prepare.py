@@ -12,7 +12,7 @@ from ._calls import short_traceback
 from ._errors import ArgumentError
 from ._height_map import Surface
 from ._keywords import documented, split_words
-from ._request import pressed
+from ._pressed import pressed
 
 
 @documented

@@ -1,10 +1,10 @@
-"""What presses what, from words and maps: libroughcontact-request reads them."""
+"""Words and maps as libroughcontact-request reads them."""
 
 from __future__ import annotations
 
 import ctypes
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple
 
@@ -12,39 +12,16 @@ import numpy as np
 
 from . import _constants
 from ._answers import Stored
-from ._arrays import (
-    Doubles,
-    Mask,
-    Shape,
-    as_doubles,
-    as_mask,
-    as_text,
-    columns_and_rows,
-    pointer,
-    refuse_one_row,
-    without_masked,
-)
+from ._arrays import Doubles, Shape, as_doubles, as_mask, as_text, columns_and_rows, pointer, refuse_one_row, without_masked
 from ._c import members_for
 from ._calls import check
 from ._data_arrays import Described, described
-from ._device import DeviceArray, device_array, on_host
+from ._device import device_array, on_host
 from ._errors import ArgumentError, ShapeError
 from ._files import PACKAGE, contents_of, is_file, name_of, surface_in
-from ._height_map import Surface, gap_below
+from ._height_map import Surface
 from ._library import request_library
-from ._maps import has_methods_of_a_topography, pitch_of_topography
 from ._structs import rc_given, rc_map, rc_problem_view, rc_remark, rc_request_spec, rc_smooth
-from ._units import AssumedUnit, warn
-from .context import Options
-from .system import REPEATS, AssumedBoundary, HalfSpace, System
-
-CONTROLS = {
-    "approach": _constants.RC_CONTROL_APPROACH,
-    "load": _constants.RC_CONTROL_LOAD,
-    "pressure": _constants.RC_CONTROL_PRESSURE,
-    "area": _constants.RC_CONTROL_AREA,
-}
-WARNINGS = {_constants.RC_REMARK_BOUNDARY: AssumedBoundary, _constants.RC_REMARK_UNIT: AssumedUnit}
 
 
 def message_of_request() -> str:
@@ -59,6 +36,19 @@ class Map:
     struct: rc_map
     shape: Optional[Shape]
     keep: Any
+
+
+def has_methods_of_a_topography(thing: Any) -> bool:
+    return callable(getattr(thing, "heights", None)) and hasattr(thing, "physical_sizes")
+
+
+def pitch_of_topography(thing: Any, shape: Tuple[int, ...]) -> Tuple[float, float]:
+    sizes = tuple(float(size) for size in np.atleast_1d(thing.physical_sizes))
+    if len(sizes) != len(shape):
+        raise ShapeError(f"physical_sizes has {len(sizes)} values, heights() {len(shape)} axes")
+    if len(sizes) == 1:
+        raise ArgumentError("the topography is a line: give pitch=(hx, hy), hy being the width of its cells")
+    return sizes[1] / shape[1], sizes[0] / shape[0]
 
 
 def _blank(word: str) -> rc_map:
@@ -179,7 +169,7 @@ class Request:
         call: int,
         words: Mapping[str, Any],
         maps: Sequence[Map],
-        system: Optional[System] = None,
+        system: Any = None,
         spelling: int = _constants.RC_SPELLING_KEYWORD,
     ) -> None:
         spec, self._handle = rc_request_spec(), None
@@ -250,94 +240,8 @@ class Request:
         return Smooth(**members_for(Smooth, found)) if known else None
 
 
-@dataclass(frozen=True)
-class Prescribed:
-    """What presses: name: "approach", "load", "pressure" or "area", a share; given: its values; control, targets: the same as C has it."""
-
-    name: str
-    given: Doubles
-    control: int
-    targets: Doubles
-
-    def target(self) -> float:
-        """The value of a call that solves one step."""
-        if self.given.size != 1:
-            raise ArgumentError(
-                f"{self.name} has {self.given.size} values, and this call solves one step; roughcontact.history and "
-                "Contact.history solve one step for each"
-            )
-        return float(self.targets.item())
-
-
-def _prescribed(name: str, values: Doubles, system: System) -> Prescribed:
-    if name != "area":
-        return Prescribed(name, values, CONTROLS[name], values)
-    if np.any(values > 1):
-        raise ArgumentError(f"area: {float(np.max(values)):g} is more than the whole, give a share as 10% or 0.1")
-    return Prescribed(name, values, CONTROLS[name], values * (float(np.prod(system.shape)) * system.pitch[0] * system.pitch[1]))
-
-
-def prescribed(system: System, **ways: Any) -> Prescribed:
-    """The one that is given of approach, load, mean pressure over the whole grid, and area."""
-    found = {name: value for name, value in ways.items() if value is not None}
-    if len(found) == 1:
-        ((name, value),) = found.items()
-        if not isinstance(value, (str, list, tuple)):
-            return _prescribed(name, np.asarray(value, np.float64), system)
-    request = Request(_constants.RC_CALL_HISTORY, found, [], system)
-    if request.view.loading is None:
-        raise ArgumentError(f"nothing presses: one of {', '.join(ways)} is needed")
-    return _prescribed(request.view.loading.decode(), request.targets, system)
-
-
-@dataclass(frozen=True)
-class Pressed:
-    """A problem: loading is None where no step is prescribed; mask: of its own for each surface where it has an axis more."""
-
-    system: System
-    gap: Any
-    mask: Optional[Mask]
-    loading: Optional[Prescribed]
-    request: Request
-
-    def surface(self) -> Surface:
-        """As pressed."""
-        view = self.request.view
-        heights = np.ctypeslib.as_array(view.heights, (int(np.prod(self.gap.shape)),)).reshape(self.gap.shape).copy()
-        repeats = None if view.periodic < 0 else bool(view.periodic)
-        said = self.request.assumed()
-        return Surface(heights, self.system.pitch, repeats, self.mask, "m" if view.si else None, remarks=said)
-
-    def options(self, given: Options) -> Options:
-        """With those that the words set."""
-        own = self.request.options()
-        twice = sorted(set(own) & set(given or {}))
-        if twice:
-            raise ArgumentError(f"{twice[0]} is given twice, by the word layer and as an option")
-        return {**own, **(given or {})} if own else given
-
-    def needed(self) -> Prescribed:
-        if self.loading is None:
-            raise ArgumentError("nothing presses: one of approach, load, pressure, area is needed")
-        return self.loading
-
-    def remarked(self, result: Any) -> Any:
-        """A result with the remarks of its request."""
-        asked, load = self.request, result.load
-        note = asked.note(result.note, load) if result.contacts else result.note
-        return result._with(note=note, assumed=asked.assumed(), smooth=asked.smooth(load))
-
-
-def _half_space(request: Request, shape: Shape) -> HalfSpace:
-    struct, system = request.view.system, HalfSpace.__new__(HalfSpace)
-    system.shape, system.pitch, system.modulus = shape, (struct.hx, struct.hy), struct.modulus
-    system.boundary = list(REPEATS)[struct.boundary - 1]
-    system.periodic, system.hardness = REPEATS[system.boundary], struct.hardness or None
-    return system
-
-
-def _retried(
-    call: int, words: Dict[str, Any], things: Dict[str, Any], mask: Any, system: Optional[System], leading: int, spelling: int
+def request_of(
+    call: int, words: Dict[str, Any], things: Dict[str, Any], mask: Any, system: Any, leading: int, spelling: int
 ) -> Tuple[Request, List[Map]]:
     """The request; files of formats that no reader knows come from the package SurfaceTopography."""
     pitch = words.get("pitch")
@@ -367,54 +271,35 @@ def _retried(
         return Request(call, words, found, system, spelling), found
 
 
-def pressed(
-    call: int,
-    heights: Any,
-    undeformed_gap: Any,
-    mask: Any,
-    system: Optional[System],
-    words: Mapping[str, Any],
-    leading: int = 0,
-    spelling: int = _constants.RC_SPELLING_KEYWORD,
-) -> Pressed:
-    """The problem of a call. Of heights or a gap; leading: axes that count surfaces."""
-    if (heights is None) == (undeformed_gap is None):
-        raise ArgumentError(
-            f"{'both are' if heights is not None else 'neither is'} given: one of heights, undeformed_gap is needed"
-        )
-    words = dict(words)
-    things = {"surface": heights} if heights is not None else {"gap": undeformed_gap}
-    for word in ("against", "shape"):
-        thing = words.get(word)
-        if thing is not None and (word == "against" or not isinstance(thing, str)):
-            things[word] = words.pop(word)
-    request, maps = _retried(call, words, things, mask, system, leading, spelling)
-    for remark in request.remarks:
-        if remark.code in WARNINGS and spelling == _constants.RC_SPELLING_KEYWORD:
-            warn(remark.text.decode(errors="replace"), WARNINGS[remark.code])
-    view = request.view
-    given_shape = maps[0].shape or (view.system.ny, view.system.nx)
-    sides = (view.system.ny, view.system.nx) if len(given_shape) - leading == 2 else (view.system.nx,)
-    shape = (*given_shape[:leading], *sides)  # words may have cut the map
-    found = _half_space(request, shape[leading:]) if system is None else system
-    if shape[leading:] != found.shape:
-        raise ShapeError(f"heights have shape {shape[leading:]}, the grid {found.shape}")
-    points = None
-    if view.mask:
-        points = np.ctypeslib.as_array(view.mask, (int(np.prod(shape)),)).reshape(shape).copy()
-    if heights is not None:
-        as_pressed = np.ctypeslib.as_array(view.heights, (int(np.prod(shape)),)).reshape(shape)
-        gap: Any = gap_below(as_pressed, points, leading)
-    else:
-        there = isinstance(maps[0].keep[1], DeviceArray)
-        gap = undeformed_gap if there else maps[0].keep[1]
-        gap = gap if view.metres == 1 else gap * view.metres
-        if there:  # a step reads it on the device; other calls get a copy
-            gap = (device_array if call == _constants.RC_CALL_SOLVE else as_doubles)(gap, "undeformed_gap")
-    loading = None
-    if view.n > 0:
-        name = view.loading.decode()
-        loading = _prescribed(
-            name, request.targets.reshape(np.shape(words[name]) if not isinstance(words[name], str) else -1), found
-        )
-    return Pressed(found, gap, points, loading, request)
+def unit_of(thing: Any) -> Optional[str]:
+    """The unit that heights of any kind but a file say themselves."""
+    return None if is_file(thing) else _described(thing, None, None)[2].unit
+
+
+def as_surface(
+    thing: Any,
+    pitch: Any = None,
+    periodic: Optional[bool] = None,
+    mask: Any = None,
+    unit: Optional[str] = None,
+    otherwise: Any = None,
+) -> Surface:
+    """A Surface from a Surface, a file, an object with the methods of SurfaceTopography's, or an array and a pitch; in metres, if
+    its unit is known.
+
+    unit: of heights and pitch that have none
+    otherwise: the pitch of what brings none, where pitch is None
+    """
+    if is_file(thing):
+        thing, pitch, unit = surface_in(thing, pitch, unit, otherwise=otherwise), None, None
+    given = map_of(thing, "surface", mask, pitch)
+    words = {"pitch": otherwise if pitch is None and not given.struct.hx else pitch, "unit": unit}
+    words.update(missing="exclude", boundary="free", modulus=1.0, approach=0.0)  # nothing is pressed
+    request = Request(_constants.RC_CALL_HISTORY, words, [given])
+    view, shape = request.view, given.shape or ()
+    points = None if not view.mask else np.ctypeslib.as_array(view.mask, (int(np.prod(shape)),)).reshape(shape).copy()
+    heights = np.ctypeslib.as_array(view.heights, (int(np.prod(shape)),)).reshape(shape).copy()
+    repeats = periodic if periodic is not None else None if view.periodic < 0 else bool(view.periodic)
+    found = thing if isinstance(thing, Surface) else Surface(heights, (view.system.hx, view.system.hy))
+    own: Dict[str, Any] = {"heights": heights, "pitch": (view.system.hx, view.system.hy), "periodic": repeats, "mask": points}
+    return replace(found, unit="m" if view.si else None, **own)

@@ -12,7 +12,7 @@ from ._handle import Watch
 from ._history import history_on
 from ._history_result import HistoryResult
 from ._keywords import documented, split_words
-from ._request import pressed
+from ._pressed import pressed
 from .contact import Contact
 from .context import Context, Options
 from .result import Result

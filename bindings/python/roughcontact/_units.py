@@ -41,18 +41,3 @@ def metres_of(unit: str) -> float:
     if found is None:
         raise ArgumentError(f"unit {unit!r} is not a length: {KNOWN}")
     return found
-
-
-def bare_metres(unit: Optional[str], own: Optional[str]) -> float:
-    """Metres per unit of lengths that have the unit `own`, or have none: then of `unit`, or 1 in the caller's consistent set."""
-    if own is None:
-        return 1.0 if unit is None else metres_of(unit)
-    metres = metres_of(own)
-    if unit is not None and (metres_of(unit) != 1 or metres != 1):
-        raise ArgumentError(
-            f"unit is {unit!r}, but the surface says {own!r}: unit= is the unit of lengths that have none, and a surface with a unit "
-            f"is used in metres. If the surface is in {own!r}, leave unit out: answers are in m, Pa and N. If its lengths are in "
-            f"{unit!r}, give Surface(heights, pitch, unit={unit!r}). For answers in {unit!r}, give the numbers of "
-            f"surface.in_unit({unit!r}) as heights and pitch, without a unit"
-        )
-    return metres

@@ -17,8 +17,7 @@ from ._derivatives import Gradient, Tangent, gradient_from, gradient_request, ta
 from ._handle import Handle
 from ._history import history_on
 from ._library import contact_library
-from ._maps import gap_in_metres
-from ._request import Prescribed, pressed, prescribed
+from ._pressed import Prescribed, gap_in_metres, pressed, prescribed
 from ._status import Status
 from ._structs import rc_level, rc_result, rc_state, rc_step
 from .context import Options, OptionSet
@@ -152,7 +151,7 @@ class Contact(Handle):
             sent = _on_device(step, there, mask_array, first)
         else:
             given(step, undeformed_gap=gap_array, mask=mask_array, p0=first)
-        width = np.float32 if single else np.float64
+        width: Any = np.float32 if single else np.float64
         pressures = np.zeros(self.system.shape, width) if want_pressure else None
         deformed = np.zeros(self.system.shape, width) if want_gap else None
         with self._holding(), self._bar("iterations"):

@@ -28,7 +28,7 @@ from ._c import members_for
 from ._calls import check as check_status, conclude, last_message
 from ._errors import ArgumentError
 from ._keywords import options_of
-from ._request import Prescribed, prescribed
+from ._pressed import Prescribed, prescribed
 from ._library import contact_library, mpi_library
 from ._structs import rc_exchange, rc_ranks_counts, rc_result, rc_step
 from ._use import OwnsHandle

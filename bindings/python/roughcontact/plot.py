@@ -14,7 +14,7 @@ import numpy as np
 from ._arrays import Pitch
 from ._errors import ArgumentError
 from ._height_map import Surface
-from ._maps import as_surface
+from ._request import as_surface, unit_of
 from ._pictures import COLOURS, GROUND
 from ._status import Status
 from .analysis import Histogram, Patches
@@ -25,7 +25,11 @@ from .surface import PowerLaw, Spectrum
 DARK = "#{:02x}{:02x}{:02x}".format(*GROUND)
 __all__ = ["heights", "pressure", "patches", "history", "law", "slip", "histogram", "spectrum"]
 UNITS = {"approach": "m", "overclosure": "m", "pressure": "Pa", "load": "N", "contact_area": "m\u00b2", "stiffness": "N/m"}
-LAW_MEMBERS = {"pressure": ("p", "p"), "area_fraction": ("area_fraction", "area"), "conductance": ("conductance", "conductance")}
+LAW_MEMBERS = {
+    "pressure": ("p", "p"),
+    "area_fraction": ("area_fraction", "area"),
+    "conductance": ("conductance", "conductance"),
+}
 
 
 def _axes(ax: Any) -> Any:
@@ -89,7 +93,8 @@ def _outcome(result: Result, si: bool) -> str:
 
 def heights(surface: Any, *, pitch: Optional[Pitch] = None, ax: Any = None, si: bool = True, **how: Any) -> Any:
     """A map of heights; missing points are dark. A surface's own unit comes before si. how: for imshow."""
-    found = as_surface(surface, pitch, exclude=True, in_metres=False)
+    found, own = as_surface(surface, pitch), unit_of(surface)
+    found = found if own is None else found.in_unit(own)
     shown = found.heights if found.mask is None else np.ma.array(found.heights, mask=found.mask == 0)
     plain = found.unit not in (None, "m")
     unit = "m" if si and not plain else None

@@ -21,7 +21,7 @@ from ._calls import finish, short_traceback, surface_calls
 from ._errors import ArgumentError, ShapeError
 from ._library import surface_library
 from ._height_map import Surface
-from ._maps import as_surface
+from ._request import as_surface
 from ._structs import (
     rc_surface_cmr,
     rc_surface_map,
@@ -283,7 +283,7 @@ def _map(
     if trend is not None and trend not in TRENDS:
         raise ArgumentError(f"trend is {trend!r}: {', '.join(TRENDS)}")
     found = as_surface(surface, pitch, periodic)
-    if found.mask is not None:
+    if found.missing.any():
         raise ArgumentError("the surface has missing points; fill them first")
     (nx, ny), (hx, hy) = columns_and_rows(found.shape), found.pitch
     struct = given(rc_surface_map(), nx=nx, ny=ny, hx=hx, hy=hy, heights=found.heights, periodic=int(bool(found.periodic)))
@@ -360,7 +360,7 @@ def downsample(surface: Any, filter: str, *, pitch: Optional[Pitch] = None, mask
     """
     if filter not in FILTERS:
         raise ArgumentError(f"filter is {filter!r}: {', '.join(FILTERS)}")
-    fine = as_surface(surface, pitch, mask=mask, exclude=True)
+    fine = as_surface(surface, pitch, mask=mask)
     heights = as_doubles(fine.heights, "heights")
     nx, ny = columns_and_rows(fine.shape)
     coarse = tuple((n + 1) // 2 for n in fine.shape)

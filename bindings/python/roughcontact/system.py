@@ -14,7 +14,7 @@ from ._calls import Callbacks, check, last_message
 from ._elastic import Constant, needed_modulus
 from ._errors import ArgumentError, ShapeError
 from ._library import contact_library
-from ._maps import as_surface
+from ._request import as_surface
 from ._status import Status
 from ._structs import rc_apply_fn, rc_system
 from ._units import warn
@@ -144,7 +144,7 @@ class HalfSpace(System):
         hardness: Optional[float] = None,
     ) -> HalfSpace:
         """The grid of a surface: a `Surface`, a topography of SurfaceTopography, or an array with a pitch."""
-        found = as_surface(surface, pitch, exclude=True)
+        found = as_surface(surface, pitch)
         boundary = boundary_of(boundary, found.periodic)
         return cls(found.shape, pitch=found.pitch, modulus=modulus, E=E, nu=nu, boundary=boundary, hardness=hardness)
 
