@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "capped_cases.h"
 #include "support/naive.h"
@@ -76,6 +77,25 @@ void run_as_operator(const CappedCase& reference, const Pair& pair, std::int32_t
   run(reference, problem, pair);
 }
 
+// The load of points that all have the hardness, to the last bits: the deflection is far smaller than the first approach tried.
+void loads_of_whole_hardnesses(const Pair& pair) {
+  Problem problem;
+  problem.system.nx = 18;
+  problem.system.ny = 17;
+  std::mt19937 generator(11);
+  for (std::size_t i = 0; i < problem.points(); ++i) problem.gap.push_back(static_cast<double>(generator()) / 4294967296.0);
+  problem.control = RC_CONTROL_LOAD;
+  for (const double hardness : {1e-7, 1e-5, 1e-3})
+    for (const int points : {1, 3})
+      for (const int ulps : {-2, 0, 1, 3})
+        for (const char* tol : {"1e-8", "1e-12", "1e-14"}) {
+          problem.system.hardness = hardness;
+          problem.target = points * hardness * problem.cell_area() * (1 + ulps * 2.3e-16);
+          const Answer answer = solve(problem, pair, {{RC_OPT_TOL, tol}});
+          check_status(answer, RC_OK, text(hardness) + " tol " + tol);
+        }
+}
+
 // The pairs that must be able to.
 void pairs_are_there() {
   for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC}) {
@@ -99,7 +119,9 @@ void pairs_are_there() {
 int main(int argc, char** argv) {
   using namespace pairs;
   const std::vector<CappedCase> cases = read_capped_cases();
-  std::vector<Test> tests = {{"pairs_are_there", pairs_are_there}};
+  std::vector<Test> tests = {{"pairs_are_there", pairs_are_there}, {"loads_of_whole_hardnesses", [] {
+                                                                      loads_of_whole_hardnesses({"haar-cg", "fft"});
+                                                                    }}};
   for (const CappedCase& reference : cases)
     for (const std::string& backend : backend_names()) {
       rc_system system = reference.problem.system;

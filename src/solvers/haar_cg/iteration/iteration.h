@@ -43,6 +43,8 @@ template <Machine M, class Poll> class HaarIteration {
   using Vector = typename M::Vector;
   using Wide = typename M::Wide;
   static constexpr int tolerated_rises = 2, most_rises = 8;  // troubles until the mean is dropped; until the load is sought
+  static constexpr int most_descents = 4;  // to the least datum; each leaves a small share of the scale before it
+  static constexpr double sharp = 1e4;     // of the tolerance: single precision knows a w of this size to a thousandth of it
   static constexpr double drift = 0.1;     // of the tolerance: error of a kept load that is put right without a cut
   static constexpr double most_swing = 6;  // of the limit: by how much the datum of the trees may raise it
   static constexpr double known = 0.5;     // residual over the datum below which the datum of a load that is sought is known
@@ -249,13 +251,16 @@ template <Machine M, class Poll> class HaarIteration {
   }
 
   // Every point is at an end. Lowers the datum until a point at the cap would leave it: first to a little above, so that the rest
-  // keeps its digits in w.
+  // keeps its digits in w. Little is relative to the scale, which falls with the datum.
   constexpr void descend() {
-    if (const double fall = m_.nearest(false) - NewtonDatum::blur * scale(); fall > 0) {
-      datum_ -= fall;
+    const double little = smaller_of(NewtonDatum::blur, sharp * task_.tol);
+    double nearest = m_.nearest(false), most = little;
+    for (int passes = 0; passes < most_descents && nearest > most * scale(); ++passes, most = 2 * little) {
+      datum_ -= nearest - little * scale();
       refresh();
+      nearest = m_.nearest(false);
     }
-    lower(-m_.nearest(false));
+    lower(-nearest);
   }
 
   // The pressures' factor to exactly the prescribed load.
