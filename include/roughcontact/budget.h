@@ -36,8 +36,8 @@ extern "C" {
 #endif
 
 /** @defgroup budget Budget of uncertainties  @{ */
-/** Called on the calling thread at least once in each solve: solves that have ended, and all of them. Return nonzero to end the budget
- *  with RC_STOP_CANCELLED. Must return: no exception, no longjmp. */
+/** Called on the calling thread at least once in each solve: solves that have ended, and all of them. Return nonzero to end the
+ *  budget with RC_STOP_CANCELLED. Must return: no exception, no longjmp. */
 typedef int32_t (*rc_budget_progress_fn)(int64_t ended, int64_t all, void *user);
 
 /** One more quantity of each solve, such as a leak: *value, and between *lower and *upper the exact one of this grid (NaN, as they
@@ -60,8 +60,8 @@ typedef struct rc_budget_spec {
 
 typedef struct rc_budget rc_budget; /* owns what it gives. Read by any thread.                                       */
 
-/** Solves the request for its last target, and again for each source. request: with call SOLVE or HISTORY, one surface, and words in
- *  place of a system; read during the call only. The same request and sources give the same budget.
+/** Solves the request for its last target, and again for each source. request: with call SOLVE or HISTORY, one surface, and words
+ *  in place of a system; read during the call only. The same request and sources give the same budget.
  *  Status: RC_OK; a positive one of the solve that was stopped, with no budget. Errors: as rc_request_create and rc_contact_solve;
  *  ARGUMENT for sources; NUMERIC for a solve that is not certified. */
 RC_API rc_status rc_budget_create(const rc_request_spec *request, const rc_budget_spec *spec, rc_budget **out);

@@ -1,5 +1,6 @@
-/* roughcontact-formats: surfaces from files of X3P, Digital Surf, SDF, Gwyddion, text and others. A library of its own (libroughcontact-formats),
- * so that a program that only solves contacts does not link libzip, pugixml and zlib. All of them have permissive licences.
+/* roughcontact-formats: surfaces from files of X3P, Digital Surf, SDF, Gwyddion, text and others. A library of its own
+ * (libroughcontact-formats), so that a program that only solves contacts does not link libzip, pugixml and zlib. All of them have
+ * permissive licences.
  *
  * docs/surface-files.md lists the formats. Lengths are in metres, also of files in other units;
  * heights increase towards the other body, x fastest, point (ix, iy) at index iy*nx + ix.

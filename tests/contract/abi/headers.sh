@@ -9,7 +9,7 @@ tried=0
 ! grep -nE '^.{133}' "$include"/roughcontact/* || { echo 'these lines are too long'; exit 1; }
 macros=$(grep -hoE 'RC_[A-Z_]+_INIT' "$include"/roughcontact/*.h | sort -u)
 begin() {  # a program that begins one struct of each kind
-  printf '#include <roughcontact/%s.h>\n' history derivatives direct product analysis law ranks registry plugin surface formats flow request
+  printf '#include <roughcontact/%s.h>\n' history derivatives direct product analysis law ranks registry plugin surface formats flow request budget
   for macro in $macros; do local type=${macro%_INIT}; echo "size_t begin_${type,,}(void); size_t begin_${type,,}(void) { ${type,,} x = $macro; return x.struct_size; }"; done
 }
 for compiler in gcc clang x86_64-w64-mingw32-gcc-posix; do

@@ -43,7 +43,7 @@ class Completion(CommandTest):
     def test_candidates(self):
         self.assertEqual(self.candidates("so"), ["solve", "solvers"])
         self.assertEqual(self.candidates("generate", "sp"), ["spectral", "sphere"])
-        self.assertEqual(self.candidates("solve", "file", "--b"), ["--boundary", "--backend"])
+        self.assertEqual(self.candidates("solve", "file", "--b"), ["--boundary", "--backend", "--budget"])
         self.assertEqual(self.candidates("solve", "--boundary", ""), ["free", "periodic", "periodic-x", "periodic-y"])
         self.assertEqual(self.candidates("solve", "--boundary=p"), ["--boundary=periodic", "--boundary=periodic-x", "--boundary=periodic-y"])
         self.assertEqual(self.candidates("solve", "--boundary", "=", "p"), ["--boundary=periodic", "--boundary=periodic-x", "--boundary=periodic-y"])
