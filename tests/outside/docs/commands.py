@@ -31,14 +31,15 @@ MARK = '-- block %d of the page ends --'
 PROGRAMS = r'(roughcontact|roughcontact-bench|build/bin/\S+|cmake|ctest|cc|gfortran|pip|python3?|make|sudo|\S+\.sh|scripts/\S+)'
 
 
-def is_here(name):
+def is_here(name, environment=None):
+    """environment: of the installation, which has packages of its own."""
     kind, _, module = name.partition(':')
     if kind == 'pkg-config':
-        return shutil.which(kind) and subprocess.run([kind, '--exists', module]).returncode == 0
+        return shutil.which(kind) and subprocess.run([kind, '--exists', module], env=environment).returncode == 0
     return importlib.util.find_spec(module) if kind == 'python' else shutil.which(name)
 
 
-def left_out(block, full):
+def left_out(block, full, environment):
     """Why this block is not run here; empty: it is."""
     rule, _, told = block.comment.partition(': ')
     if rule == 'not run':
@@ -46,7 +47,7 @@ def left_out(block, full):
     if rule == 'run in full':
         return '' if full else f'with --full: {told}'
     if rule == 'needs':
-        absent = [name for name in told.split() if not is_here(name)]
+        absent = [name for name in told.split() if not is_here(name, environment)]
         return f'there is no {", ".join(absent)}' if absent else ''
     return f'unknown comment: {block.comment}' if rule else ''
 
@@ -142,7 +143,7 @@ def main():
                 f'{page}:{block.line}: a command in a block without a language\n{block.text}'
                 for block in without_language(found)
             ]
-            reasons = {k: left_out(block, arguments.full) for k, block in enumerate(found) if block.language == 'sh'}
+            reasons = {k: left_out(block, arguments.full, reader.environment) for k, block in enumerate(found) if block.language == 'sh'}
             excluded += [f'{page.relative_to(pages.SOURCE)}:{found[k].line}: {why}' for k, why in reasons.items() if why]
             kept = [block for k, block in enumerate(found) if not reasons.get(k)]
             if all(block.language != 'sh' for block in kept):
