@@ -143,6 +143,54 @@ void damaged_files_are_refused() {
   check_equal(static_cast<std::int64_t>(folder.files()), 1, "files left");
 }
 
+// The checksum is right, as where another program has written the file.
+void numbers_that_no_law_has_are_refused() {
+  const Folder folder("numbers");
+  const std::string path = folder / "a.law";
+  check_equal(rc_law_save(usual_law(), path.c_str()), RC_OK, rc_last_error());
+  std::vector<std::string> lines;
+  std::istringstream good(content(path));
+  for (std::string line; std::getline(good, line);) lines.push_back(line);
+  lines.pop_back();  // the checksum
+  const auto begins = [](const char* word) { return [word](const std::string& line) { return line.starts_with(word); }; };
+  const auto place = [&](const char* word) {
+    return static_cast<std::size_t>(std::ranges::find_if(lines, begins(word)) - lines.begin());
+  };
+  const std::size_t status = place("status "), first = place("nodes ") + 1, last = lines.size() - 1;
+  const auto words = [&](std::size_t line) {
+    std::istringstream text(lines[line]);
+    return std::vector<std::string>(std::istream_iterator<std::string>(text), {});
+  };
+  // Loads the file with another word in one line.
+  const auto load = [&](std::size_t line, std::size_t column, const std::string& word) {
+    std::vector<std::string> changed = words(line);
+    changed[column] = word;
+    std::string all;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      if (i != line) all += lines[i];
+      for (std::size_t k = 0; i == line && k < changed.size(); ++k) all += (k > 0 ? " " : "") + changed[k];
+      all += '\n';
+    }
+    write(path, all + sum_of(all));
+    rc_law* law = nullptr;
+    const rc_status found = rc_law_load(path.c_str(), &law);
+    check(law == nullptr || found >= 0, "a law of a bad file");
+    rc_law_destroy(law);
+    return found;
+  };
+  constexpr std::size_t x = 0, p = 1, slope = 4;
+  check_equal(load(first + 2, x, words(first + 2)[x]), RC_OK, "as it was");
+  for (const std::size_t column : {x, p}) refuses(load(first, column, "1e-9"), "node 0", "a first node off the origin");
+  refuses(load(first + 2, x, words(first + 1)[x]), "node 2 is not beyond", "the same overclosure twice");
+  refuses(load(first + 2, p, words(first)[p]), "node 2 is not beyond", "a falling pressure");
+  refuses(load(first + 2, slope, "-1e-9"), "node 2 is not beyond", "a falling slope");
+  for (const std::size_t column : {x, p, slope}) refuses(load(last, column, "inf"), "is not beyond", "an infinite number");
+  for (const rc_status none : {RC_STOP_TIME, RC_STOP_CANCELLED})
+    refuses(load(status, 1, std::to_string(none)), "a law has no status", "a status of steps");
+  for (const rc_status one : {RC_STOP_MAX_ITER, RC_STOP_STALLED, RC_UNCERTIFIED})
+    check_equal(load(status, 1, std::to_string(one)), one, "a status of laws");
+}
+
 rc_law_export_spec exported(const std::string& path, std::int32_t format, std::int64_t rows = 0, double rho = 0) {
   rc_law_export_spec spec = RC_LAW_EXPORT_SPEC_INIT;
   spec.format = format;
@@ -378,6 +426,7 @@ int main(int argc, char** argv) {
                           {{"a saved law has the same bits", a_saved_law_has_the_same_bits},
                            {"a saved law has the status of its making", a_saved_law_has_the_status_of_its_making},
                            {"damaged files are refused", damaged_files_are_refused},
+                           {"numbers that no law has are refused", numbers_that_no_law_has_are_refused},
                            {"tables hold the law", tables_hold_the_law},
                            {"tables hold friction", tables_hold_friction},
                            {"the error of a table is its largest", the_error_of_a_table_is_its_largest},
