@@ -205,7 +205,7 @@ def given(members: S, **values: Any) -> S:
     for name, value in values.items():
         if isinstance(value, (np.ndarray, DeviceArray)):
             member: Any = getattr(members, name)
-            described = isinstance(member, (rc_array, rc_const_array))
+            described = type(member) in (rc_array, rc_const_array)
             if described:
                 _describe(member, value)
             else:
