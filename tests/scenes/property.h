@@ -43,7 +43,8 @@ std::span<const Kind> properties_of_steps();
 std::span<const Kind> properties_of_sequences();
 std::span<const Kind> properties_of_slopes();
 std::span<const Kind> properties_of_laws();
-std::span<const Kind> properties_of_flows();  // where libroughcontact-flow is built
+std::span<const Kind> properties_of_flows();  // these two: where libroughcontact-flow is built
+std::span<const Kind> properties_of_closing();
 
 /** A text with a number for failures. */
 inline std::string number(Real value) { return pairs::text(static_cast<double>(value)); }

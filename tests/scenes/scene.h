@@ -50,6 +50,10 @@ struct Scene {
   bool semi_periodic() const {
     return halfspace() && (system.boundary == RC_BOUNDARY_PERIODIC_X || system.boundary == RC_BOUNDARY_PERIODIC_Y);
   }
+  // Along the axis across a flow along y or x.
+  bool repeats_across(bool along_y) const {
+    return periodic() || (halfspace() && system.boundary == (along_y ? RC_BOUNDARY_PERIODIC_X : RC_BOUNDARY_PERIODIC_Y));
+  }
   bool hard() const { return system.hardness > 0 && system.hardness < HUGE_VAL; }
   /** Too many points for exact pressures. */
   bool large() const { return points() > 300; }

@@ -33,7 +33,7 @@ std::vector<Kind> all_kinds() {
   for (const auto& some : {properties_of_steps(), properties_of_sequences(), properties_of_slopes(), properties_of_laws()})
     all.insert(all.end(), some.begin(), some.end());
 #ifdef RC_SCENES_FLOW
-  for (const Kind& kind : properties_of_flows()) all.push_back(kind);
+  for (const auto& some : {properties_of_flows(), properties_of_closing()}) all.insert(all.end(), some.begin(), some.end());
 #endif
   return all;
 }
