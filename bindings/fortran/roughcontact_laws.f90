@@ -12,6 +12,10 @@ module roughcontact_laws
   integer, parameter :: most = 64
   type(c_ptr), save :: laws(most) = c_null_ptr  ! those that rcf_law_open has given a number
 
+  interface rcf_law_at
+    module procedure law_at_point, law_at_points
+  end interface
+
 contains
 
   ! spec: p_lower and p_upper at least; its undeformed_gap is that of the argument. Positive stat: law is usable, see rc_law_create.
@@ -66,13 +70,30 @@ contains
   end subroutine
 
   ! Pressure, slope and energy per area at an overclosure. stat: 0, 106 beyond the last node, -1: NaN or no such law.
-  subroutine rcf_law_at(number, x, p, slope, energy, stat)
+  subroutine law_at_point(number, x, p, slope, energy, stat)
     integer, intent(in) :: number
     real(c_double), intent(in) :: x
     real(c_double), intent(inout) :: p, slope, energy
     integer, intent(out) :: stat
     stat = RC_ERR_ARGUMENT
     if (number >= 1 .and. number <= most) stat = rc_law_pressure(laws(number), x, p, slope, energy)
+  end subroutine
+
+  ! The same at a vector of points, such as the Gauss points of an element. stat: 106 if any is beyond the last node, -1 also if the
+  ! vectors have different lengths.
+  subroutine law_at_points(number, x, p, slope, energy, stat)
+    integer, intent(in) :: number
+    real(c_double), intent(in), target, contiguous :: x(:)
+    real(c_double), intent(inout), target, contiguous :: p(:), slope(:), energy(:)
+    integer, intent(out) :: stat
+    stat = RC_ERR_ARGUMENT
+    if (number < 1 .or. number > most) return
+    if (.not. c_associated(laws(number))) return
+    if (size(p) /= size(x) .or. size(slope) /= size(x) .or. size(energy) /= size(x)) return
+    stat = RC_OK
+    if (size(x) == 0) return
+    stat = rc_law_pressures(laws(number), size(x, kind=c_int64_t), rc_const_array(data=c_loc(x)), rc_array(data=c_loc(p)), &
+      rc_array(data=c_loc(slope)), rc_array(data=c_loc(energy)))
   end subroutine
 
   ! Conductance per area at a pressure. stat as in rcf_law_at.

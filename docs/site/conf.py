@@ -99,6 +99,7 @@ how-to/calculix
 ../integrations/abaqus/README
 ../integrations/moose/README
 ../integrations/two-blocks/README
+../integrations/precice/README
 ```
 
 ```{toctree}

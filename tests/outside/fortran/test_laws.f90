@@ -8,7 +8,7 @@ program test_laws
   type(rc_system) :: system
   type(rc_law_spec) :: spec
   type(c_ptr) :: law
-  real(c_double) :: p, slope, energy, conductance, of_it
+  real(c_double) :: p, slope, energy, conductance, of_it, ps(2), slopes(2), energies(2)
   integer :: stat
   type(rc_law_slip_state) :: state
 
@@ -20,6 +20,15 @@ program test_laws
   call rcf_law_open('law1', file, 1)
   call rcf_law_at(1, 0.5_c_double, p, slope, energy, stat)
   call check('a law by number', stat >= 0 .and. p == of_it .and. p > 0 .and. slope > 0 .and. energy > 0)
+  call rcf_law_at(1, [-1._c_double, 0.5_c_double], ps, slopes, energies, stat)
+  call check('a law at a vector', stat >= 0 .and. all(ps == [0._c_double, p]) .and. all(slopes == [0._c_double, slope]) .and. &
+    all(energies == [0._c_double, energy]))
+  call rcf_law_at(1, [0.5_c_double, 1e3_c_double], ps, slopes, energies, stat)
+  call check('one of them outside', stat == RC_OUTSIDE .and. ps(1) == p)
+  call rcf_law_at(1, [0.5_c_double], ps, slopes, energies, stat)
+  call check('vectors of two lengths', stat == RC_ERR_ARGUMENT)
+  call rcf_law_at(1, ps(:0), ps(:0), slopes(:0), energies(:0), stat)
+  call check('no points', stat == RC_OK)
   call rcf_law_gap_conductance(1, p, 0.5_c_double, 0.5_c_double, conductance, stat)
   call check('its conductance', stat >= 0 .and. abs(conductance / (2 * slope) - 1) < 1e-9)
   state = rc_law_slip_state(mu=0.5_c_double, nu=0.25_c_double)
@@ -35,6 +44,8 @@ program test_laws
   call check('outside', stat == RC_OUTSIDE)
   call rcf_law_at(2, 0.5_c_double, p, slope, energy, stat)
   call check('no such law', stat == RC_ERR_ARGUMENT)
+  call rcf_law_at(2, [0.5_c_double, 1._c_double], ps, slopes, energies, stat)
+  call check('no such law for a vector', stat == RC_ERR_ARGUMENT)
   call rcf_law_open('law2', 'no such file', 2, stat, message)
   call check('no file: '//trim(message), stat == RC_ERR_ARGUMENT .and. index(message, 'cannot be read') > 0)
   call rcf_law_open('law1', file, 65, stat, message)

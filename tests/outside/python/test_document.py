@@ -74,16 +74,19 @@ def test_a_texture_is_fitted_and_heights_are_carried_to_the_load():
 
 
 def test_a_micro_simulation_goes_back_to_a_state(monkeypatch):
-    monkeypatch.syspath_prepend(DOCUMENT.parents[1] / "examples")
+    monkeypatch.syspath_prepend(DOCUMENT.parents[1] / "integrations" / "precice")
     micro = importlib.import_module("micro_simulation")
     point, other = micro.MicroSimulation(0), micro.MicroSimulation(1)
-    assert point.initialize() == point.solve({"overclosure": -1e-7}, 1.0) == {"pressure": 0.0, "slope": 0.0}
-    first, step = point.solve({"overclosure": 3e-7}, 1.0), 1e-10
-    state = point.get_state()
-    beyond = point.solve({"overclosure": 3e-7 + step}, 1.0)
-    assert (beyond["pressure"] - first["pressure"]) / step == pytest.approx(first["slope"], rel=0.02)
-    other.set_state(state)
-    assert other.solve({"overclosure": 3e-7}, 1.0)["pressure"] == pytest.approx(first["pressure"], rel=1e-6)
+    assert point.initialize() == point.solve({"Overclosure": -1e-7}, 1.0) == {"Pressure": 0.0, "Slope": 0.0, "Solved": 0.0}
+    step = 1e-10
+    for overclosure, solved in ((1e-7, 1), (3e-7, 0)):
+        first = point.solve({"Overclosure": overclosure}, 1.0)
+        state = point.get_state()
+        beyond = point.solve({"Overclosure": overclosure + step}, 1.0)
+        assert first["Solved"] == beyond["Solved"] == solved
+        assert (beyond["Pressure"] - first["Pressure"]) / step == pytest.approx(first["Slope"], rel=0.02)
+        other.set_state(state)
+        assert other.solve({"Overclosure": overclosure}, 1.0)["Pressure"] == pytest.approx(first["Pressure"], rel=1e-6)
 
 
 def test_everything_public_is_documented():
