@@ -16,6 +16,7 @@ module roughcontact_constants
   integer(c_int32_t), parameter :: RC_BOUNDARY_FREE = 1, RC_BOUNDARY_PERIODIC = 2, RC_BOUNDARY_PERIODIC_X = 3, &
     RC_BOUNDARY_PERIODIC_Y = 4
   integer(c_int32_t), parameter :: RC_CONTROL_APPROACH = 1, RC_CONTROL_LOAD = 2, RC_CONTROL_AREA = 4, RC_CONTROL_PRESSURE = 8
+  integer(c_int32_t), parameter :: RC_CREEP_COMPLIANCES = 0, RC_CREEP_MODULI = 1
   integer(c_int32_t), parameter :: RC_BATCH_SHARED = -1
   integer(c_int32_t), parameter :: RC_LAW_BULK_AUTO = 0, RC_LAW_BULK_NONE = 1, RC_LAW_BULK_GIVEN = 2, RC_LAW_BULK_MEAN = 3
   integer(c_int32_t), parameter :: RC_LAW_CONVEX = 1, RC_LAW_SLOPES = 2, RC_LAW_MONOTONE = 3

@@ -11,12 +11,13 @@ module roughcontact_contacts
   private
   public :: rcf_contact, rcf_contact_create, rcf_contact_destroy, rcf_contact_reset, rcf_contact_cancel, &
     rcf_contact_set_options, rcf_contact_on_progress, rcf_contact_solve, rcf_contact_certify, rcf_contact_level, &
-    rcf_contact_points, rcf_contact_explain, rcf_contact_indentation, rcf_contact_restore, rcf_solve
+    rcf_contact_points, rcf_contact_explain, rcf_contact_indentation, rcf_contact_creep, rcf_contact_restore, rcf_solve
 
   ! Not to be copied: one variable, destroyed once.
   type :: rcf_contact
     type(c_ptr) :: handle = c_null_ptr  ! for the rc_ functions
     integer(c_int64_t) :: nx = 0, ny = 0
+    integer(c_int32_t) :: creep_terms = 0
   end type
 
 contains
@@ -30,6 +31,7 @@ contains
     character(*), intent(inout), optional :: errmsg
     contact%nx = system%nx
     contact%ny = system%ny
+    contact%creep_terms = system%creep_terms
     call rcf_check(rc_contact_create(system, rcf_or_null(options), contact%handle), stat, errmsg)
   end subroutine
 
@@ -77,8 +79,8 @@ contains
   end subroutine
 
   ! undeformed_gap and mask absent: as in the step before. p and gap: pressures and deformed gap, written where the status
-  ! is >= 0.
-  subroutine rcf_contact_solve(contact, approach, load, undeformed_gap, mask, p0, warm_start, p, gap, result, stat, errmsg)
+  ! is >= 0. time: at the step's end, with creep.
+  subroutine rcf_contact_solve(contact, approach, load, undeformed_gap, mask, p0, warm_start, p, gap, result, stat, errmsg, time)
     type(rcf_contact), intent(in) :: contact
     real(c_double), intent(in), optional :: approach, load
     real(c_double), intent(in), optional, target, contiguous :: undeformed_gap(:, :), p0(:, :)
@@ -87,19 +89,21 @@ contains
     type(rc_result), intent(out), optional :: result
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
+    real(c_double), intent(in), optional :: time
     type(rc_step) :: step
     type(rc_result) :: answer
     integer(c_int8_t), allocatable, target :: bytes(:, :)
     integer(rc_status) :: status
     if (.not. rcf_prepared('rcf_contact_solve', contact%nx, contact%ny, step, answer, bytes, approach, load, undeformed_gap, &
       mask, p0, warm_start, p, gap, stat, errmsg)) return
+    if (present(time)) step%time = time
     status = rc_contact_solve(contact%handle, step, answer)
     if (present(result)) result = answer
     call rcf_check(status, stat, errmsg)
   end subroutine
 
   ! Certifies the pressures p; nothing is solved.
-  subroutine rcf_contact_certify(contact, p, approach, load, undeformed_gap, mask, gap, result, stat, errmsg)
+  subroutine rcf_contact_certify(contact, p, approach, load, undeformed_gap, mask, gap, result, stat, errmsg, time)
     type(rcf_contact), intent(in) :: contact
     real(c_double), intent(inout), target, contiguous :: p(:, :)
     real(c_double), intent(in), optional :: approach, load
@@ -109,12 +113,14 @@ contains
     type(rc_result), intent(out), optional :: result
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
+    real(c_double), intent(in), optional :: time
     type(rc_step) :: step
     type(rc_result) :: answer
     integer(c_int8_t), allocatable, target :: bytes(:, :)
     integer(rc_status) :: status
     if (.not. rcf_prepared('rcf_contact_certify', contact%nx, contact%ny, step, answer, bytes, approach, load, undeformed_gap, &
       mask, p=p, gap=gap, stat=stat, errmsg=errmsg)) return
+    if (present(time)) step%time = time
     status = rc_contact_certify(contact%handle, step, answer)
     if (present(result)) result = answer
     call rcf_check(status, stat, errmsg)
@@ -180,11 +186,23 @@ contains
     call rcf_check(rc_contact_indentation(contact%handle, rcf_out(indentation)), stat, errmsg)
   end subroutine
 
+  ! What the steps so far have left in bodies that creep (nx, ny, terms + 1) [length], and the time of the last one; see
+  ! rc_contact_creep.
+  subroutine rcf_contact_creep(contact, creep, time, stat, errmsg)
+    type(rcf_contact), intent(in) :: contact
+    real(c_double), allocatable, intent(out), target :: creep(:, :, :)
+    real(c_double), intent(inout), optional :: time
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    allocate (creep(contact%nx, contact%ny, contact%creep_terms + 1))
+    call rcf_check(rc_contact_creep(contact%handle, rc_array(c_loc(creep)), time), stat, errmsg)
+  end subroutine
+
   ! Goes on after a certified step that this contact or another has solved: its surface, pressures, and approach and load as its
   ! result has them; with p_before likewise of the step before it, on the same surface; with a hardness the indentation that
-  ! rcf_contact_indentation gave after it. See option resumable.
+  ! rcf_contact_indentation gave after it, and with creep both that rcf_contact_creep gave. See option resumable.
   subroutine rcf_contact_restore(contact, undeformed_gap, p, approach, load, p_before, approach_before, load_before, mask, &
-    indentation, stat, errmsg)
+    indentation, stat, errmsg, creep, time)
     type(rcf_contact), intent(in) :: contact
     real(c_double), intent(in), target, contiguous :: undeformed_gap(:, :), p(:, :)
     real(c_double), intent(in) :: approach, load
@@ -194,12 +212,25 @@ contains
     real(c_double), intent(in), optional, target, contiguous :: indentation(:, :)
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
+    real(c_double), intent(in), optional, target, contiguous :: creep(:, :, :)
+    real(c_double), intent(in), optional :: time
     character(*), parameter :: where = 'rcf_contact_restore'
     type(rc_state) :: state
     integer(c_int8_t), allocatable, target :: bytes(:, :)
     if ((present(p_before) .neqv. present(approach_before)) .or. (present(p_before) .neqv. present(load_before))) then
       call rcf_refuse(RC_ERR_ARGUMENT, where//': give all of p_before, approach_before and load_before, or none', stat, errmsg)
       return
+    end if
+    if (present(creep) .neqv. present(time)) then
+      call rcf_refuse(RC_ERR_ARGUMENT, where//': give both creep and time, or none', stat, errmsg)
+      return
+    end if
+    if (present(creep)) then
+      if (.not. rcf_extents_fit(where, 'creep', [size(creep, 1), size(creep, 2)], contact%nx, contact%ny, stat, errmsg)) return
+      if (size(creep, 3) /= contact%creep_terms + 1) then
+        call rcf_refuse(RC_ERR_SHAPE, where//': the last extent of creep is not that of rcf_contact_creep', stat, errmsg)
+        return
+      end if
     end if
     if (.not. rcf_shaped(where, 'undeformed_gap', undeformed_gap, contact%nx, contact%ny, stat, errmsg)) return
     if (.not. rcf_shaped(where, 'p', p, contact%nx, contact%ny, stat, errmsg)) return
@@ -210,6 +241,8 @@ contains
     if (.not. rcf_masked(where, mask, contact%nx, contact%ny, bytes, state%mask, stat, errmsg)) return
     if (present(approach_before)) state%approach_before = approach_before
     if (present(load_before)) state%load_before = load_before
+    if (present(creep)) state%creep = rc_const_array(c_loc(creep))
+    if (present(time)) state%time = time
     call rcf_check(rc_contact_restore(contact%handle, state), stat, errmsg)
   end subroutine
 

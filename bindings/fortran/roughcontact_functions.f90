@@ -108,6 +108,11 @@ module roughcontact_functions
       type(c_ptr), value :: contact
       type(rc_array), value :: indentation
     end function
+    integer(rc_status) function rc_contact_creep(contact, creep, time) bind(c); import
+      type(c_ptr), value :: contact
+      type(rc_array), value :: creep
+      real(c_double), intent(inout), optional :: time
+    end function
     integer(rc_status) function rc_contact_restore(contact, state) bind(c); import
       type(c_ptr), value :: contact
       type(rc_state), intent(in) :: state

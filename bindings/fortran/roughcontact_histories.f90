@@ -20,7 +20,7 @@ contains
   !     type(c_ptr), value :: user
   subroutine rcf_contact_solve_history(contact, approaches, loads, undeformed_gap, mask, warm_start, load, approach, contact_area, &
     mean_gap, energy, stiffness, load_lower, load_upper, area_lower, area_upper, stiffness_lower, stiffness_upper, certificate, &
-    products, fn, user, virgin, completed, stat, errmsg)
+    products, fn, user, virgin, completed, stat, errmsg, times)
     type(rcf_contact), intent(in) :: contact
     real(c_double), intent(in), optional, target, contiguous :: approaches(:), loads(:), undeformed_gap(:, :)
     logical, intent(in), optional :: mask(:, :), warm_start
@@ -34,6 +34,7 @@ contains
     integer, intent(out), optional :: completed
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
+    real(c_double), intent(in), optional, target, contiguous :: times(:)  ! of the steps' ends, with creep
     character(*), parameter :: where = 'rcf_contact_solve_history'
     type(rc_history) :: history
     integer(c_int8_t), allocatable, target :: bytes(:, :)
@@ -56,6 +57,13 @@ contains
     if (.not. rcf_shaped(where, 'undeformed_gap', undeformed_gap, contact%nx, contact%ny, stat, errmsg)) return
     if (.not. rcf_masked(where, mask, contact%nx, contact%ny, bytes, history%mask, stat, errmsg)) return
     history%undeformed_gap = rcf_in(undeformed_gap)
+    if (present(times)) then
+      if (size(times) /= history%n) then
+        call rcf_refuse(RC_ERR_SHAPE, where//': times has not one value for each step', stat, errmsg)
+        return
+      end if
+      if (size(times) > 0) history%times%data = c_loc(times)
+    end if
     shortest = int(history%n)
     call place(load, history%columns%load)
     call place(approach, history%columns%approach)
@@ -106,7 +114,7 @@ contains
   !     type(c_ptr), value :: user
   subroutine rcf_batch_solve(system, undeformed_gap, approaches, loads, mask, warm_start, p0, p, load, approach, contact_area, &
     mean_gap, energy, stiffness, load_lower, load_upper, area_lower, area_upper, stiffness_lower, stiffness_upper, certificate, &
-    status, iterations, products, fn, user, options, virgin, certified, first, progress, stat, errmsg)
+    status, iterations, products, fn, user, options, virgin, certified, first, progress, stat, errmsg, times)
     type(rc_system), intent(in) :: system
     real(c_double), intent(in), target, contiguous :: undeformed_gap(:, :, :)
     real(c_double), intent(in), optional, target, contiguous :: approaches(:, :), loads(:, :), p0(:, :, :)
@@ -121,6 +129,7 @@ contains
     integer, intent(out), optional :: certified, first  ! certified contacts; the one whose status is returned, or 0
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
+    real(c_double), intent(in), optional, target, contiguous :: times(:, :)  ! of the steps' ends, with creep
     type(rc_system) :: sized
     type(rc_batch) :: batch
     integer(c_int8_t), allocatable, target :: bytes(:, :, :)
@@ -156,6 +165,10 @@ contains
         batch%mask%data = c_loc(bytes)
         if (size(mask, 3) == 1) batch%mask_stride = RC_BATCH_SHARED
       end if
+    end if
+    if (present(times)) then
+      if (any(shape(times) /= targets)) misshapen = misshapen//' times'
+      batch%times = rcf_in(times)
     end if
     call pile(p0, 'p0', batch%p0%data)
     call pile(p, 'p', batch%p%data)

@@ -72,7 +72,7 @@ contains
   ! undeformed_gap and mask absent: as in the step before. p and gap: pressures and deformed gap of this rank's rows, written
   ! where the status is >= 0. What the result says besides is of the whole grid.
   subroutine rcf_mpi_contact_solve(contact, approach, load, undeformed_gap, mask, p0, warm_start, p, gap, result, stat, &
-    errmsg)
+    errmsg, time)
     type(rcf_mpi_contact), intent(in) :: contact
     real(c_double), intent(in), optional :: approach, load
     real(c_double), intent(in), optional, target, contiguous :: undeformed_gap(:, :), p0(:, :)
@@ -81,19 +81,21 @@ contains
     type(rc_result), intent(out), optional :: result
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
+    real(c_double), intent(in), optional :: time
     type(rc_step) :: step
     type(rc_result) :: answer
     integer(c_int8_t), allocatable, target :: bytes(:, :)
     integer(rc_status) :: status
     if (.not. rcf_prepared('rcf_mpi_contact_solve', contact%nx, contact%count, step, answer, bytes, approach, load, &
       undeformed_gap, mask, p0, warm_start, p, gap, stat, errmsg)) return
+    if (present(time)) step%time = time
     status = rc_contact_solve(contact%handle, step, answer)
     if (present(result)) result = answer
     call rcf_check(status, stat, errmsg)
   end subroutine
 
   ! Certifies the pressures p of all ranks; nothing is solved.
-  subroutine rcf_mpi_contact_certify(contact, p, approach, load, undeformed_gap, mask, gap, result, stat, errmsg)
+  subroutine rcf_mpi_contact_certify(contact, p, approach, load, undeformed_gap, mask, gap, result, stat, errmsg, time)
     type(rcf_mpi_contact), intent(in) :: contact
     real(c_double), intent(inout), target, contiguous :: p(:, :)
     real(c_double), intent(in), optional :: approach, load
@@ -103,12 +105,14 @@ contains
     type(rc_result), intent(out), optional :: result
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
+    real(c_double), intent(in), optional :: time
     type(rc_step) :: step
     type(rc_result) :: answer
     integer(c_int8_t), allocatable, target :: bytes(:, :)
     integer(rc_status) :: status
     if (.not. rcf_prepared('rcf_mpi_contact_certify', contact%nx, contact%count, step, answer, bytes, approach, load, &
       undeformed_gap, mask, p=p, gap=gap, stat=stat, errmsg=errmsg)) return
+    if (present(time)) step%time = time
     status = rc_contact_certify(contact%handle, step, answer)
     if (present(result)) result = answer
     call rcf_check(status, stat, errmsg)

@@ -22,7 +22,7 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_system
-    integer(c_size_t) :: struct_size = merge(96, 80, c_intptr_t == 8)
+    integer(c_size_t) :: struct_size = merge(152, 120, c_intptr_t == 8)
     integer(c_int32_t) :: op = RC_OPERATOR_HALFSPACE, boundary = 0
     integer(c_int64_t) :: nx = 0, ny = 0
     real(c_double) :: hx = 0, hy = 0, modulus = 0
@@ -31,14 +31,17 @@ module roughcontact_structs
     type(c_funptr) :: apply = c_null_funptr  ! integer(c_int32_t) function apply(x, y, n, user) bind(c)
     type(c_ptr) :: user = c_null_ptr  ! void *
     real(c_double) :: hardness = 0
+    integer(c_int32_t) :: creep_by = 0, creep_terms = 0
+    type(rc_const_array) :: creep_ratio = rc_const_array(), creep_time = rc_const_array()
   end type
 
   type, bind(c) :: rc_step
-    integer(c_size_t) :: struct_size = merge(104, 76, c_intptr_t == 8)
+    integer(c_size_t) :: struct_size = merge(112, 84, c_intptr_t == 8)
     integer(c_int32_t) :: control = 0, warm_start = 1
     real(c_double) :: target = 0
     type(rc_const_array) :: undeformed_gap = rc_const_array(), mask = rc_const_array(), p0 = rc_const_array()
     integer(c_int32_t) :: borrow = 0, reserved = 0
+    real(c_double) :: time = 0
   end type
 
   type, bind(c) :: rc_result
@@ -76,7 +79,7 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_history
-    integer(c_size_t) :: struct_size = merge(512, 348, c_intptr_t == 8)
+    integer(c_size_t) :: struct_size = merge(536, 364, c_intptr_t == 8)
     integer(c_int32_t) :: control = 0, warm_start = 1
     integer(c_int64_t) :: n = 0
     type(rc_const_array) :: targets = rc_const_array(), undeformed_gap = rc_const_array(), mask = rc_const_array()
@@ -85,19 +88,21 @@ module roughcontact_structs
     integer(c_int64_t) :: completed = 0
     integer(c_int32_t) :: want_gap = 1, virgin = 0
     type(rc_columns) :: columns = rc_columns()
+    type(rc_const_array) :: times = rc_const_array()
   end type
 
   type, bind(c) :: rc_state
-    integer(c_size_t) :: struct_size = merge(160, 116, c_intptr_t == 8)
+    integer(c_size_t) :: struct_size = merge(192, 140, c_intptr_t == 8)
     type(rc_const_array) :: undeformed_gap = rc_const_array(), mask = rc_const_array(), p = rc_const_array()
     real(c_double) :: approach = 0, load = 0
     type(rc_const_array) :: p_before = rc_const_array()
     real(c_double) :: approach_before = 0, load_before = 0
-    type(rc_const_array) :: indentation = rc_const_array()
+    type(rc_const_array) :: indentation = rc_const_array(), creep = rc_const_array()
+    real(c_double) :: time = 0
   end type
 
   type, bind(c) :: rc_batch
-    integer(c_size_t) :: struct_size = merge(616, 432, c_intptr_t == 8)
+    integer(c_size_t) :: struct_size = merge(640, 448, c_intptr_t == 8)
     integer(c_int32_t) :: control = 0, warm_start = 1
     integer(c_int64_t) :: n = 0, steps = 0
     type(rc_const_array) :: targets = rc_const_array()
@@ -114,6 +119,7 @@ module roughcontact_structs
     type(c_funptr) :: progress = c_null_funptr  ! integer(c_int32_t) function progress(ended, user) bind(c)
     integer(c_int32_t) :: virgin = 0, reserved = 0
     type(rc_columns) :: columns = rc_columns()
+    type(rc_const_array) :: times = rc_const_array()
   end type
 
   type, bind(c) :: rc_level

@@ -47,10 +47,11 @@ typedef struct rc_history {
   int64_t completed;    /* out: steps whose outputs are written; certified, or within goal                           */
   int32_t want_gap;     /* 1: fn sees the deformed gap (default); 0: its result->gap is none, so that sparse contact
                            costs no product over the whole grid                                                      */
-  int32_t virgin;       /* 0: with a hardness, each step presses the surface as the steps before it left it (default); 1: each
-                           presses the surface as it is before the first step, and the history leaves no indentation:
-                           rc_contact_indentation gives afterwards what it gave before. Without a hardness: no effect */
+  int32_t virgin;       /* 0: with a hardness or creep, each step presses the surface as the steps before it left it (default);
+                           1: each presses the surface as it is before the first step, and the history leaves nothing:
+                           rc_contact_indentation and rc_contact_creep give afterwards what they gave before         */
   rc_columns columns;   /* out: numbers of each completed step                                                       */
+  rc_const_array times; /* double [n] as rc_step.time, none before the one before it; none: without creep            */
 } rc_history;
 #define RC_HISTORY_INIT RC_BEGIN_WITH_TWO(rc_history, warm_start = 1, want_gap = 1)
 
@@ -69,6 +70,15 @@ RC_API rc_status rc_contact_solve_history(rc_contact *contact, rc_history *histo
 RC_API rc_status rc_contact_indentation(rc_contact *contact, rc_array indentation);
 /** @} */
 
+/** @defgroup creep Creep  @{ */
+/** What the contact's certified steps have left in bodies that creep (rc_system.creep_terms, K): double [(K+1) n], first H p of
+ *  the last one at once, then for each term of the series the deflection that H p has reached with its time, without its ratio
+ *  [length]. After RC_CREEP_MODULI the terms are those of the compliance that belongs to them, by ascending times. *time: of that
+ *  step, or NaN if there was none; may be NULL. Steps leave it if they leave a plastic indentation, see rc_contact_indentation.
+ *  Errors: ARGUMENT (also without creep), BUSY. */
+RC_API rc_status rc_contact_creep(rc_contact *contact, rc_array creep, double *time);
+/** @} */
+
 /** @defgroup restart Restart  @{ */
 /** The state of a loading history, for rc_contact_restore: values of rc_result from its last two steps with RC_OK or
  *  RC_WITHIN_GOAL. All of it is copied. */
@@ -82,6 +92,8 @@ typedef struct rc_state {
   rc_const_array p_before; /* double [n] the same of the step before it; none: no such step, or its surface was another */
   double approach_before, load_before;
   rc_const_array indentation; /* double [n] of rc_contact_indentation after its last step, >= 0 [length]; none: zeros */
+  rc_const_array creep; /* double [(K+1) n] of rc_contact_creep after its last step; needed with creep if there is p */
+  double time;          /* the time of rc_contact_creep; NaN: no step has left anything, creep is not read           */
 } rc_state;
 #define RC_STATE_INIT RC_BEGIN(rc_state)
 
@@ -129,19 +141,21 @@ typedef struct rc_batch {
   int64_t certified;    /* out: contacts of which every step is certified                                            */
   int64_t first;        /* out: the contact whose status is returned; -1: none, or RC_WITHIN_GOAL                    */
   rc_batch_progress_fn progress; /* sees how far the batch is; NULL: none                                            */
-  int32_t virgin;       /* as in rc_history; each contact begins without indentation in any case                     */
+  int32_t virgin;       /* as in rc_history; each contact begins without indentation and creep in any case           */
   int32_t reserved;     /* 0                                                                                         */
   rc_columns columns;   /* out: numbers of step k of contact i at index i*steps + k; NaN (counts: -1) for a step with status
                            < 0 and those that were not reached. The first step that is neither RC_OK nor RC_WITHIN_GOAL ends
                            its contact, and the steps after it have its status. RC_STOP_CANCELLED or RC_STOP_TIME also if
                            the batch ended before the step                                                           */
+  rc_const_array times; /* double, laid out as targets: of each step, as rc_step.time; none: without creep           */
 } rc_batch;
 #define RC_BATCH_INIT RC_BEGIN_WITH_TWO(rc_batch, warm_start = 1, first = -1)
 
 /** Solves the history of every contact, each as by an rc_contact of its own and rc_contact_solve_history: the same bits, whatever
  *  the number of threads. A solver that takes many contacts at once ("haar-cuda") gives other bits than contacts of their own,
  *  with the same certificate; they do not depend on the number of threads and contacts either. It is used if fn and the columns
- *  from mean_gap to stiffness_upper are not wanted, all arrays are doubles, virgin is 0 and control is not RC_CONTROL_AREA.
+ *  from mean_gap to stiffness_upper are not wanted, all arrays are doubles, virgin is 0, control is not RC_CONTROL_AREA and nothing
+ *  creeps.
  *  Option threads: contacts that are solved at the same time, each by one thread; fewer if the system refuses threads.
  *  Option time_limit: seconds for the whole batch. options may be NULL. A CALLBACK system's apply is called from several threads
  *  at the same time. All threads have ended when the call returns.

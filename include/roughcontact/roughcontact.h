@@ -198,8 +198,15 @@ typedef struct rc_const_array {
 enum { RC_OPERATOR_HALFSPACE = 1, RC_OPERATOR_DENSE = 2, RC_OPERATOR_CALLBACK = 3 };
 enum { RC_BOUNDARY_FREE = 1, RC_BOUNDARY_PERIODIC = 2, RC_BOUNDARY_PERIODIC_X = 3, RC_BOUNDARY_PERIODIC_Y = 4 };
 enum { RC_CONTROL_APPROACH = 1, RC_CONTROL_LOAD = 2, RC_CONTROL_AREA = 4, RC_CONTROL_PRESSURE = 8 };
+enum { RC_CREEP_COMPLIANCES = 0, RC_CREEP_MODULI = 1 };
 
-/** The bodies and the grid, fixed over a loading history. Copied; `dense` and `user` must outlive the contact. */
+/** The bodies and the grid, fixed over a loading history. Copied; `dense` and `user` must outlive the contact.
+ *
+ *  With creep a step ends at rc_step.time, and pressures change linearly in time from the certified step before it; the first is at
+ *  rest until its time, when it is pressed at once. So are two steps at the same time. Deflections are then the step's compliance
+ *  times H p, and a deflection that the steps before have left and that counts as part of the undeformed gap. Answers, residuals,
+ *  bounds and dW/dd are those of this step, for these points in time. Contact laws, derivatives and option accuracy are without
+ *  creep; other functions that take a system ignore it. */
 typedef struct rc_system {
   size_t struct_size;  /* sizeof(rc_system)                                                                          */
   int32_t op;          /* RC_OPERATOR_*; the half-space unless set                                                   */
@@ -217,6 +224,14 @@ typedef struct rc_system {
                           definite; return nonzero to fail; must return: no exception, no longjmp; called on the solving thread */
   void *user;          /* handed to apply                                                                            */
   double hardness;     /* the largest pressure c [force/length^2], for every op; 0 or infinite: none                 */
+
+  /* Creep of both bodies: H grows with the time under load, by one factor for every entry (one Poisson's ratio) */
+  int32_t creep_by;    /* COMPLIANCES (default): H(t) = H (1 + sum ratio_k (1 - exp(-t/time_k))), ratios J_k/J_0 >= 0;
+                          MODULI: the modulus relaxes as 1 - sum ratio_k (1 - exp(-t/time_k)), ratios E_k/E_0 >= 0 of sum
+                          < 1. H and modulus are those at once, t = 0                                                */
+  int32_t creep_terms; /* of this Prony series, 0 .. 1000; 0: elastic (default)                                      */
+  rc_const_array creep_ratio; /* double [creep_terms]                                                                */
+  rc_const_array creep_time; /* double [creep_terms] > 0 [time]                                                      */
 } rc_system;
 #define RC_SYSTEM_INIT RC_BEGIN_WITH(rc_system, op = RC_OPERATOR_HALFSPACE)
 
@@ -244,6 +259,8 @@ typedef struct rc_step {
                           other arrays has returned, or the contact is reset or destroyed. A gap may then be a file that is
                           mapped into memory; one on a device is read there by that device's solvers. 0: copied (default) */
   int32_t reserved;    /* 0                                                                                          */
+  double time;         /* [time of rc_system.creep_time] at the step's end, not before that of the contact's last certified
+                          step; without creep it has no effect                                                       */
 } rc_step;
 #define RC_STEP_INIT RC_BEGIN_WITH(rc_step, warm_start = 1)
 
@@ -278,7 +295,8 @@ typedef struct rc_result {
   /* The answer */
   rc_status status;    /* as returned; failed until an answer is written                                             */
   int32_t homogeneous; /* 1: H is that of a homogeneous half-space, so that a conductance follows from the stiffness;
-                          0: it is not known to be: a caller's matrix or product, a kernel without RC_KERNEL_HOMOGENEOUS */
+                          0: it is not known to be: a caller's matrix or product, a kernel without RC_KERNEL_HOMOGENEOUS,
+                          creep                                                                                      */
   double load;         /* hx hy sum(p) [force]                                                                       */
   double approach;     /* d [length]. Periodic boundaries: the change of the mean gap, mean(h) - mean(g) = d, if no point is
                           masked or at the hardness; nothing need be subtracted from it. Free boundaries: it includes the
@@ -438,7 +456,7 @@ RC_API void rc_contact_cancel(rc_contact *contact);
  *  of seconds and bytes, or the reason why it cannot. *out: "" if no step has needed a solver; lives until the
  *  contact is next used or destroyed. Errors: ARGUMENT, MEMORY, BUSY. */
 RC_API rc_status rc_contact_explain(rc_contact *contact, const char **out);
-/** Forgets the surface, its plastic indentation, last pressures and factors; keeps plans and tables of transforms. Errors: BUSY. */
+/** Forgets the surface, its plastic indentation, creep, last pressures and factors; keeps plans and tables of transforms. Errors: BUSY. */
 RC_API rc_status rc_contact_reset(rc_contact *contact);
 /** @} */
 

@@ -5,6 +5,7 @@
 #include "abi/arrays.h"
 #include "abi/guard.h"
 #include "abi/sized_struct.h"
+#include "abi/steps.h"
 #include "analysis/area.h"
 #include "analysis/conductance.h"
 #include "analysis/crossing.h"
@@ -17,8 +18,7 @@ namespace {
 using namespace rc;
 
 ContactMap map_of(const rc_system* system, const rc_const_array& p, const rc_const_array& mask) {
-  return {read<rc_system>(system, "rc_system", RC_SYSTEM_INIT), host_values<double>(p, "p"),
-          host_values<std::uint8_t>(mask, "mask")};
+  return {read_system(system), host_values<double>(p, "p"), host_values<std::uint8_t>(mask, "mask")};
 }
 
 }  // namespace
@@ -72,7 +72,7 @@ rc_status rc_conductance(const rc_system* system, const rc_result* result, doubl
                          double* lower, double* upper) {
   return guard("rc_conductance", [&] {
     if (!conductance) fail(RC_ERR_ARGUMENT, "conductance is null");
-    const rc_system given = read<rc_system>(system, "rc_system", RC_SYSTEM_INIT);
+    const rc_system given = read_system(system);
     rc_result answer = RC_RESULT_INIT;  // an older caller's has no interval
     answer.stiffness_lower = answer.stiffness_upper = std::numeric_limits<double>::quiet_NaN();
     answer = read<rc_result>(result, "rc_result", answer);
@@ -90,9 +90,8 @@ rc_status rc_punch_stiffness(const rc_system* system, rc_const_array mask, const
   return guard("rc_punch_stiffness", [&] {
     if (!stiffness) fail(RC_ERR_ARGUMENT, "stiffness is null");
     StiffnessInterval found;
-    const rc_status status =
-        set_stiffness(read<rc_system>(system, "rc_system", RC_SYSTEM_INIT), host_values<std::uint8_t>(mask, "mask"),
-                      options ? *options : rc_options{Context::standard(), {}}, found);
+    const rc_status status = set_stiffness(read_system(system), host_values<std::uint8_t>(mask, "mask"),
+                                           options ? *options : rc_options{Context::standard(), {}}, found);
     if (std::isnan(found.value)) return status;
     *stiffness = found.value;
     if (lower) *lower = found.lower;

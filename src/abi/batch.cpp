@@ -8,8 +8,8 @@ extern "C" rc_status rc_batch_solve(const rc_system* system, const rc_options* o
   using namespace rc;
   return guard("rc_batch_solve", [&] {
     const rc_batch asked = read_batch(batch);
-    const BatchOutcome outcome = solve_batch(read<rc_system>(system, "rc_system", RC_SYSTEM_INIT),
-                                             options ? *options : rc_options{Context::standard(), {}}, asked);
+    const BatchOutcome outcome =
+        solve_batch(read_system(system), options ? *options : rc_options{Context::standard(), {}}, asked);
     batch->written = asked.n;
     batch->certified = outcome.certified;
     batch->first = outcome.first;

@@ -1,4 +1,6 @@
 // rc_contact_*, rc_solve
+#include <limits>
+
 #include "abi/guard.h"
 #include "abi/handles.h"
 #include "abi/steps.h"
@@ -71,8 +73,7 @@ rc_status rc_contact_create(const rc_system* system, const rc_options* options, 
   return guard("rc_contact_create", [&] {
     if (!out) fail(RC_ERR_ARGUMENT, "out is null");
     *out = nullptr;
-    *out = new rc_contact(std::in_place_type<Contact>, read<rc_system>(system, "rc_system", RC_SYSTEM_INIT),
-                          options_or_defaults(options));
+    *out = new rc_contact(std::in_place_type<Contact>, read_system(system), options_or_defaults(options));
     return RC_OK;
   });
 }
@@ -125,6 +126,7 @@ rc_status rc_contact_level(rc_contact* contact, int64_t i, rc_level* out) {
     rc_level level = read<rc_level>(out, "rc_level", RC_LEVEL_INIT);
     check_host_array(level.p, "rc_level.p");
     c.grid().grids().describe(i, level);
+    level.approach *= c.problem().compliance;
     write(out, level);
     return RC_OK;
   });
@@ -189,6 +191,19 @@ rc_status rc_contact_indentation(rc_contact* contact, rc_array indentation) {
   });
 }
 
+rc_status rc_contact_creep(rc_contact* contact, rc_array creep, double* time) {
+  return exclusively("rc_contact_creep", contact, [&](Contact& c) {
+    double* const to = host_values<double>(creep, "creep");
+    const Creep& left = c.grid().creep();
+    if (!to) fail(RC_ERR_ARGUMENT, "creep is null");
+    if (left.none()) fail(RC_ERR_ARGUMENT, "the contact's bodies do not creep: rc_system.creep_terms is 0");
+    const System& system = c.system();
+    left.write({to, (system.creep.size() + 1) * static_cast<std::size_t>(system.points())}, c.problem().team());
+    if (time) *time = left.empty() ? std::numeric_limits<double>::quiet_NaN() : left.time();
+    return RC_OK;
+  });
+}
+
 rc_status rc_contact_restore(rc_contact* contact, const rc_state* state) {
   return exclusively("rc_contact_restore", contact, [&](Contact& c) {
     const rc_state given = read<rc_state>(state, "rc_state", RC_STATE_INIT);
@@ -196,7 +211,8 @@ rc_status rc_contact_restore(rc_contact* contact, const rc_state* state) {
                                        {"rc_state.mask", given.mask},
                                        {"rc_state.p", given.p},
                                        {"rc_state.p_before", given.p_before},
-                                       {"rc_state.indentation", given.indentation}});
+                                       {"rc_state.indentation", given.indentation},
+                                       {"rc_state.creep", given.creep}});
     c.restore(given);
     return RC_OK;
   });
@@ -208,7 +224,7 @@ void rc_contact_cancel(rc_contact* contact) {
 
 rc_status rc_solve(const rc_system* system, const rc_step* step, const rc_options* options, rc_result* result) {
   return guard("rc_solve", [&] {
-    Contact contact(read<rc_system>(system, "rc_system", RC_SYSTEM_INIT), options_or_defaults(options));
+    Contact contact(read_system(system), options_or_defaults(options));
     return with_step(contact, step, result, [](Contact& each, rc_step s, const Outputs& outputs) {
       s.borrow = 1;  // the arrays outlive the contact
       return each.solve(s, outputs);

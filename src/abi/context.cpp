@@ -6,6 +6,7 @@
 #include "abi/guard.h"
 #include "abi/handles.h"
 #include "abi/sized_struct.h"
+#include "abi/steps.h"
 #include "contact/calls/controls.h"
 #include "contact/choice.h"
 #include "core/usable_cores.h"
@@ -126,7 +127,7 @@ rc_status rc_pair_supported(rc_context* context, const char* solver, const char*
     check_control(control, "control");
     const std::int32_t solved = control == RC_CONTROL_APPROACH ? RC_CONTROL_APPROACH : RC_CONTROL_LOAD;
     const rc_options given = options ? *options : rc_options{context_of(context), {}};
-    const System checked = checked_system(read<rc_system>(system, "rc_system", RC_SYSTEM_INIT), given, false);
+    const System checked = checked_system(read_system(system), given, false);
     Context& registry = *context_of(context);
     const std::string reason =
         obstacle(registry.solver(solver), registry.backend(backend), checked, solved, given.integer(RC_OPT_ALLOW_FALLBACK) != 0);

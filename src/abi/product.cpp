@@ -7,6 +7,7 @@
 #include "abi/guard.h"
 #include "abi/handles.h"
 #include "abi/sized_struct.h"
+#include "abi/steps.h"
 
 struct rc_product {
   rc::Product product;
@@ -20,7 +21,7 @@ rc_status rc_product_create(const rc_system* system, const rc_options* options, 
   return guard("rc_product_create", [&] {
     if (!out) fail(RC_ERR_ARGUMENT, "out is null");
     *out = nullptr;
-    *out = new rc_product{{read<rc_system>(system, "rc_system", RC_SYSTEM_INIT), options_or_defaults(options)}};
+    *out = new rc_product{{read_system(system), options_or_defaults(options)}};
     return RC_OK;
   });
 }

@@ -6,6 +6,7 @@
 #include "abi/guard.h"
 #include "abi/handles.h"
 #include "abi/sized_struct.h"
+#include "abi/steps.h"
 #include "contact/calls/agreement.h"
 
 namespace {
@@ -28,7 +29,7 @@ const rc_exchange& with_functions(const rc_exchange& exchange) {
 }
 
 rc_system with_rows(const rc_system* given) {
-  const rc_system system = read<rc_system>(given, "rc_system", RC_SYSTEM_INIT);
+  const rc_system system = read_system(given);
   if (system.nx < 1 || system.ny < 1)
     fail(RC_ERR_SHAPE, "rc_system.nx = ", system.nx, " and rc_system.ny = ", system.ny, " must be >= 1");
   return system;

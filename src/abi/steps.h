@@ -6,6 +6,13 @@
 
 namespace rc {
 
+inline rc_system read_system(const rc_system* from) {
+  const rc_system system = read<rc_system>(from, "rc_system", RC_SYSTEM_INIT);
+  check_host_array(system.creep_ratio, "rc_system.creep_ratio");
+  check_host_array(system.creep_time, "rc_system.creep_time");
+  return system;
+}
+
 inline rc_step read_step(const rc_step* from) {
   const rc_step step = read<rc_step>(from, "rc_step", RC_STEP_INIT);
   check_switch(step.warm_start, "rc_step.warm_start");
@@ -51,6 +58,7 @@ inline rc_history read_history(rc_history* from) {
   check_host_array(history.targets, "rc_history.targets");
   check_host_array(history.undeformed_gap, "rc_history.undeformed_gap", Types::floats);
   check_host_array(history.mask, "rc_history.mask");
+  check_host_array(history.times, "rc_history.times");
   check_columns(history.columns);
   return history;
 }
@@ -65,6 +73,7 @@ inline rc_batch read_batch(rc_batch* from) {
   check_host_array(batch.targets, "rc_batch.targets");
   check_host_array(batch.undeformed_gap, "rc_batch.undeformed_gap", Types::floats);
   check_host_array(batch.mask, "rc_batch.mask");
+  check_host_array(batch.times, "rc_batch.times");
   check_host_array(batch.p0, "rc_batch.p0", Types::floats);
   check_host_array(batch.p, "rc_batch.p", Types::floats);
   check_columns(batch.columns);

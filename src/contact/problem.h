@@ -27,8 +27,8 @@ struct Spectrum;
 struct Goal {
   double error = 0;  // the option accuracy: a relative error; 0: none
   bool of_area = false;
-  bool keeps_answers = false;       // its solvers keep answers for the next step
-  bool leaves_indentation = false;  // its certified steps leave a plastic indentation
+  bool keeps_answers = false;   // its solvers keep answers for the next step
+  bool changes_bodies = false;  // its certified steps leave a plastic indentation, and a deflection in bodies that creep
 
   // A tolerance far below the goal. Areas need a smaller one: they count points, some of which carry hardly any pressure.
   double tol() const { return error / (of_area ? 1000 : 100); }
@@ -58,6 +58,8 @@ class GridProblem {
   const Company& company() const { return company_; }
   const Rows& rows() const { return company_.rows(); }
   const rc_team& team() const { return *team_; }
+  // Whether the step's H p is wanted at all points.
+  bool keeps_deflection() const { return goal.changes_bodies && !system.creep.empty(); }
   std::int64_t own_points() const { return system.given.nx * rows().own(system.given.ny); }  // of this process
   Operators& operators() const { return *operators_; }
 
@@ -66,6 +68,7 @@ class GridProblem {
   rc_options options;
   Goal goal;
   StepSurface surface;
+  double compliance = 1;          // of the step, over that of the system: lengths of the surface and of answers are divided by it
   GapOnDevice gap_on_device;      // of the surface, if it is_of() that
   CoarseGrids* coarse = nullptr;  // solves coarser grids for solvers; it outlives the step; null: of a level of a pyramid
   mutable Facts facts;

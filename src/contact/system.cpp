@@ -140,9 +140,12 @@ double System::half_space_wave() const {
   return (unit.nx == 1 ? ly : unit.ny == 1 ? lx : std::max(lx, ly)) / std::numbers::pi;
 }
 
-System checked_system(const rc_system& system, const rc_options& options, bool probe) {
-  check_grid(system);
-  System result{.given = system, .unit = system};
+System checked_system(const rc_system& asked, const rc_options& options, bool probe) {
+  check_grid(asked);
+  rc_system system = asked;  // the elastic one that components and coarser grids see
+  system.creep_by = system.creep_terms = 0;
+  system.creep_ratio = system.creep_time = {};
+  System result{.given = system, .unit = system, .creep = prony_terms(asked)};
   if (!(system.hardness >= 0))
     fail(RC_ERR_ARGUMENT, "rc_system.hardness = ", system.hardness, " must be positive, or 0 where all is elastic");
   if (system.hardness > 0) result.hardness = system.hardness;

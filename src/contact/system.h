@@ -6,7 +6,9 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "contact/surface/prony.h"
 #include "kernel/semi_periodic.h"
 #include "registry/system_kernel.h"
 
@@ -36,14 +38,15 @@ struct OperatorBounds {
 };
 
 struct System {
-  rc_system given;  // as the caller described it
+  rc_system given;  // as the caller described it, but without creep
   rc_system unit;   // HALFSPACE: modulus 1 and cells of unit area; else as given
   ChosenKernel kernel = {};
   OperatorBounds bounds = {};
   double length_per_pressure = 1;  // H [length per pressure] = this times the dimensionless operator
   double operator_scale = 1;       // products of `unit` divided by this are dimensionless
   bool positive = true;            // H has no negative entries, so points with gap >= d carry no pressure
-  double hardness = std::numeric_limits<double>::infinity();  // [pressure] the largest; infinite: all is elastic
+  double hardness = std::numeric_limits<double>::infinity();  // [pressure] the largest; infinite: nothing is plastic
+  std::vector<PronyTerm> creep = {};                          // empty: none
 
   std::int64_t points() const { return given.nx * given.ny; }
   double cell_area() const { return given.hx * given.hy; }
@@ -52,7 +55,7 @@ struct System {
   bool periodic() const { return halfspace() && given.boundary == RC_BOUNDARY_PERIODIC; }
   bool semi_periodic() const { return halfspace() && kernel::semi_periodic(given.boundary); }
   // So that a conductance follows from a stiffness.
-  bool homogeneous() const { return halfspace() && kernel.influence->has(RC_KERNEL_HOMOGENEOUS); }
+  bool homogeneous() const { return halfspace() && creep.empty() && kernel.influence->has(RC_KERNEL_HOMOGENEOUS); }
   const char* boundary() const { return periodic() ? "periodic" : semi_periodic() ? "semi-periodic" : "free"; }
   // Periodic: the eigenvalue of the longest wave on a half-space. An axis of one point has no waves.
   double half_space_wave() const;

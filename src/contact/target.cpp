@@ -18,7 +18,7 @@ constexpr double least_depth = 1e-30;  // over the gap's range; periodic solvers
 
 }  // namespace
 
-void check(const Step& step, const GridProblem& problem, const StepSurface& surface) {
+void check(const Step& step, const GridProblem& problem, const StepSurface& surface, double compliance) {
   const System& system = problem.system;
   const double target = step.target.value;
   const bool by_load = step.target.by_load(), by_approach = !by_load;
@@ -34,16 +34,16 @@ void check(const Step& step, const GridProblem& problem, const StepSurface& surf
   const double depth = target - surface.lowest();
   if (by_approach && !system.capped() && system.periodic() && surface.range().whole &&
       beyond_mean_plane(depth, surface.moments().mean))
-    fail(RC_ERR_INFEASIBLE, "approach = ", target, " reaches the mean plane of the gap, ",
-         surface.lowest() + surface.moments().mean,
+    fail(RC_ERR_INFEASIBLE, "approach = ", compliance * target, " reaches the mean plane of the gap, ",
+         compliance * (surface.lowest() + surface.moments().mean),
          ": with periodic boundaries the load is not determined there; prescribe the load");
   if (by_approach && system.periodic() && depth > 0 && depth < least_depth * surface.range().width())
-    fail(RC_ERR_ARGUMENT, "approach = ", target, " is above the lowest gap by ", depth, ", less than ", least_depth,
-         " of the gap's range, ", surface.range().width(), "; check the units, or prescribe the load");
+    fail(RC_ERR_ARGUMENT, "approach = ", compliance * target, " is above the lowest gap by ", compliance * depth, ", less than ",
+         least_depth, " of the gap's range, ", compliance * surface.range().width(), "; check the units, or prescribe the load");
   if (surface.range().included > 0 &&
       !(std::isfinite(surface.range().highest - surface.lowest()) && (by_load || std::isfinite(depth))))
-    fail(RC_ERR_ARGUMENT, "the gap's range, ", surface.lowest(), " .. ", surface.range().highest, ", and the target ", target,
-         " are too far apart for double precision");
+    fail(RC_ERR_ARGUMENT, "the gap's range, ", compliance * surface.lowest(), " .. ", compliance * surface.range().highest,
+         ", and the target ", by_load ? target : compliance * target, " are too far apart for double precision");
   problem.rows().on_all([&] {
     for (std::int64_t i = 0; step.p0.data && i < problem.own_points(); ++i)
       if (const double p = value_at(step.p0, static_cast<std::size_t>(i)); !std::isfinite(p))

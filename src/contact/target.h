@@ -27,7 +27,8 @@ struct Step {
 };
 inline Step step_of(const rc_step& step) { return {{step.control, step.target}, step.p0, step.warm_start != 0}; }
 
-// Throws Error(ARGUMENT, INFEASIBLE). surface: the step's, which need not be the problem's yet.
-void check(const Step& step, const GridProblem& problem, const StepSurface& surface);
+// Throws Error(ARGUMENT, INFEASIBLE). surface: the step's, which need not be the problem's yet. Lengths of both are over the
+// compliance.
+void check(const Step& step, const GridProblem& problem, const StepSurface& surface, double compliance);
 
 }  // namespace rc

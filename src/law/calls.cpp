@@ -63,6 +63,9 @@ rc_status rc_law_create(const rc_system* system, const rc_options* options, cons
     if (!out) fail(RC_ERR_ARGUMENT, "out is null");
     *out = nullptr;
     const rc_system patch = read<rc_system>(system, "rc_system", RC_SYSTEM_INIT);
+    if (patch.creep_terms != 0)
+      fail(RC_ERR_INCOMPATIBLE, "rc_system.creep_terms = ", patch.creep_terms,
+           ": a contact law is without time; make one of the elastic bodies at once, or with the modulus after all creep");
     const rc_law_spec wanted = read<rc_law_spec>(spec, "rc_law_spec", RC_LAW_SPEC_INIT);
     check_reserved(wanted.reserved, "rc_law_spec.reserved");
     check_host_arrays<rc_const_array>({{"rc_law_spec.undeformed_gap", wanted.undeformed_gap}, {"rc_law_spec.mask", wanted.mask}});

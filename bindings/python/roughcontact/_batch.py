@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 from . import _constants
 from ._arrays import as_doubles, as_mask, as_switch, given
 from ._calls import Callbacks, conclude, interruptible, short_traceback
+from ._creep import Terms, let_creep, times_for
 from ._data_arrays import in_order
 from ._errors import ArgumentError, ShapeError, as_status
 from ._library import contact_library
@@ -45,6 +46,9 @@ def batch(
     keep_pressure: bool = False,
     each: Optional[Callable[[int, int, Result], object]] = None,
     check: bool = True,
+    time: Optional[ArrayLike] = None,
+    creep: Optional[Terms] = None,
+    relaxation: Optional[Terms] = None,
     system: Optional[System] = None,
     options: Options = None,
     progress: bool = False,
@@ -69,6 +73,7 @@ def batch(
     progress: whether a bar of the package tqdm shows how many steps are solved
     options: {"threads": 4} for four contacts at the same time, otherwise as many as there are cores, with `each` one;
         {"time_limit": 60} for seconds of the whole batch
+    time: [contacts, steps] or [steps]; creep, relaxation: as in `history`
     the others, and the words: as in `solve`
     """
     given_words, options = split_words(batch, options, words, context)
@@ -84,6 +89,7 @@ def batch(
     problem = pressed(
         _constants.RC_CALL_BATCH, heights, undeformed_gap, None if of_one_surface else mask, system, given_words, leading
     )
+    let_creep(problem.system, creep, relaxation, system is not None)
     system, gaps, masks, what = problem.system, problem.gap, problem.mask, problem.needed()
     if of_one_surface:
         masks = as_mask(mask, "mask")
@@ -94,6 +100,10 @@ def batch(
         raise ShapeError(f"{what.name} has {targets.ndim} axes: [contacts, steps], [steps] or one number")
     if targets.shape[-1] == 0:
         raise ArgumentError(f"{what.name} is empty: one value for each step is needed")
+    times = None if time is None else as_doubles(time, "time")
+    if times is not None and times.ndim == 2 and targets.ndim == 1:  # every contact has times of its own
+        targets = np.broadcast_to(targets, (len(times), len(targets))).copy()
+    times = times_for(system, times, targets.shape)
     axes = len(system.shape)
     starts = None if start is None else as_doubles(start, "start")
     counts = {
@@ -124,7 +134,7 @@ def batch(
     struct = given(
         rc_batch(), control=what.control, warm_start=as_switch(warm_start), virgin=as_switch(virgin), n=n, steps=steps
     )
-    given(struct, targets=targets, undeformed_gap=gaps, mask=masks, p0=starts, p=pressures)
+    given(struct, targets=targets, times=times, undeformed_gap=gaps, mask=masks, p0=starts, p=pressures)
     given(struct.columns, status=statuses, **out, **whole)
     for name, array, most in (("target", targets, 2), ("undeformed_gap", gaps, axes + 1), ("mask", masks, axes + 1)):
         setattr(struct, f"{name}_stride", _constants.RC_BATCH_SHARED if array is not None and array.ndim < most else 0)
@@ -155,7 +165,7 @@ def batch(
         with OptionSet(chosen, context) as handle:
             return int(contact_library().rc_batch_solve(description, handle, struct))
 
-    keep = (system, product, callbacks, targets, gaps, masks, starts, out, whole, statuses, pressures)
+    keep = (system, product, callbacks, targets, times, gaps, masks, starts, out, whole, statuses, pressures)
     with bars.over("steps", n * steps) if progress else nullcontext():
         status, message, interrupt = interruptible(call, keep=keep)
     answer = None

@@ -43,6 +43,7 @@ class ContactFunctions(Protocol):
     rc_contact_reset: Callable[[handle], rc_status]
     rc_contact_solve_history: Callable[[handle, rc_history], rc_status]
     rc_contact_indentation: Callable[[handle, array_out], rc_status]
+    rc_contact_creep: Callable[[handle, array_out, doubles], rc_status]
     rc_contact_restore: Callable[[handle, rc_state], rc_status]
     rc_batch_solve: Callable[[rc_system, handle, rc_batch], rc_status]
     rc_contact_level: Callable[[handle, int64_t, rc_level], rc_status]

@@ -5,9 +5,11 @@ from __future__ import annotations
 from typing import Any, Callable, List, Optional
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ._arrays import Doubles, Mask, as_switch, doubles_at, given
 from ._calls import Callbacks
+from ._creep import times_for
 from ._errors import ArgumentError, as_status
 from ._handle import Handle
 from ._pressed import Prescribed
@@ -30,6 +32,7 @@ def history_on(
     want_gap: bool,
     each: Optional[Callable[[int, Result], object]],
     check: bool,
+    time: Optional[ArrayLike] = None,
 ) -> HistoryResult:
     """`history` on a contact that exists."""
     values = np.atleast_1d(what.given)
@@ -38,11 +41,12 @@ def history_on(
     n = len(values)
     if n == 0:
         raise ArgumentError(f"{what.name} is empty: one value for each step is needed")
+    times = times_for(contact.system, time, (n,))
     targets, tangents = np.atleast_1d(what.targets), np.empty(n) if stiffness else None
     pressures = np.zeros((n, *contact.system.shape)) if keep_pressure else None
     results: List[Result] = []
 
-    struct = given(rc_history(), control=what.control, warm_start=as_switch(warm_start), n=n, targets=targets)
+    struct = given(rc_history(), control=what.control, warm_start=as_switch(warm_start), n=n, targets=targets, times=times)
     given(struct, undeformed_gap=undeformed_gap, mask=mask, virgin=as_switch(virgin))
     given(struct.columns, stiffness=tangents)
     given(struct, want_gap=int(want_gap or each is not None))
@@ -61,7 +65,7 @@ def history_on(
 
     callbacks = Callbacks()
     struct.fn = rc_history_fn(callbacks.guarded(after))
-    keep = (targets, undeformed_gap, mask, tangents, callbacks)
+    keep = (targets, times, undeformed_gap, mask, tangents, callbacks)
     bar = contact._bar("steps", n, lambda: int(struct.completed))
     with contact._holding() as handle, contact._pressing(undeformed_gap, mask), bar:
         status, message, interrupt = contact._run(lambda: int(contact_library().rc_contact_solve_history(handle, struct)), keep)
@@ -74,6 +78,7 @@ def history_on(
             results=tuple(results[:done]),
             pressure=None if pressures is None else pressures[:done],
             grid=contact.grid(),
+            time=None if times is None else times[:done],
         )
         callbacks.raise_first()
         contact._conclude(status, message, interrupt, answer, check)

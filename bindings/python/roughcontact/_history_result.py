@@ -25,6 +25,7 @@ class HistoryResult(Answer):
     targets: its values as given, those of steps that were not completed as well
     results: of the steps, without maps
     pressure: [steps, ny, nx] [force/length^2]; None unless asked for
+    time: of the steps, as given; None: none were
     """
 
     status: Status
@@ -34,6 +35,7 @@ class HistoryResult(Answer):
     results: Tuple[Result, ...]
     pressure: Optional[Doubles]
     grid: Grid
+    time: Optional[Doubles] = None
 
     @property
     def assumed(self) -> Tuple[str, ...]:
@@ -102,7 +104,9 @@ class HistoryResult(Answer):
     def _columns(self) -> Dict[str, Any]:
         rows = [each._columns() for each in self.results]
         found = {name: np.array([row[name] for row in rows]) for name in (rows[0] if rows else STEP_COLUMNS)}
-        return {self.prescribed: self.targets[: self.completed], **found} if self.prescribed in ("pressure", "area") else found
+        if self.prescribed in ("pressure", "area"):
+            found = {self.prescribed: self.targets[: self.completed], **found}
+        return found if self.time is None else {"time": self.time, **found}
 
     def _rows(self) -> Dict[str, str]:
         ends = {"load": self.load, "approach": self.approach, "contact area": self.contact_area}

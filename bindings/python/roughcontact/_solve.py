@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike
 
 from . import _constants
 from ._calls import short_traceback
+from ._creep import Terms, let_creep
 from ._handle import Watch
 from ._history import history_on
 from ._history_result import HistoryResult
@@ -90,6 +91,9 @@ def history(
     want_gap: bool = False,
     each: Optional[Callable[[int, Result], object]] = None,
     check: bool = True,
+    time: Optional[ArrayLike] = None,
+    creep: Optional[Terms] = None,
+    relaxation: Optional[Terms] = None,
     system: Optional[System] = None,
     options: Options = None,
     progress: Watch = None,
@@ -100,8 +104,7 @@ def history(
     """Solves the steps of a loading history in order, each from the pressures of the one before.
 
     approach, load or pressure: one value for each step, in any order; also "1MPa..100MPa:20log", a range of 20 with equal ratios
-    virgin: with a hardness: whether every step presses the surface without the plastic indentation of the steps before
-            it
+    virgin: whether every step presses the surface without the plastic indentation and creep of the steps before it
     stiffness: whether to compute dW/dd
     keep_pressure: whether to keep the pressures of all steps
     want_gap: whether each step computes its deformed gap, for the mean gap of sparse contact; with `each` it does
@@ -109,12 +112,17 @@ def history(
         Status.STOP_CANCELLED; an exception ends it and is raised
     check: whether a step that is not certified raises `NotCertifiedError`. That, every other `RoughContactError` and
         `Interrupted` (Ctrl-C) have the steps that were completed as their `result`
+    time: of each step, if the bodies creep, in the unit of their times: pressures change linearly from step to step, two steps at
+        the same time are a jump, and before the first step the bodies are at rest
+    creep: pairs (ratio, time) of the compliance, (1 + sum of ratio (1 - exp(-t/time))) times that at once, which E or modulus gives
+    relaxation: the same bodies by their modulus, (1 - sum of ratio (1 - exp(-t/time))) times that at once
     the others, and the words: as in `solve`
     """
     given, options = split_words(history, options, words, context)
     what = pressed(_constants.RC_CALL_HISTORY, heights, undeformed_gap, mask, system, given)
+    let_creep(what.system, creep, relaxation, system is not None)
     with Contact(what.system, options=what.options(options), progress=progress, every=every, context=context) as contact:
         answer = history_on(
-            contact, what.needed(), what.gap, what.mask, warm_start, virgin, stiffness, keep_pressure, want_gap, each, check
+            contact, what.needed(), what.gap, what.mask, warm_start, virgin, stiffness, keep_pressure, want_gap, each, check, time
         )
     return answer._with(results=tuple(what.remarked(result) for result in answer.results))

@@ -23,13 +23,14 @@ rc_apply_fn = callback(int32_t, doubles, doubles, int64_t, handle)
 @struct
 class rc_system(Sized):
     members = """size_t struct_size; int32_t op=RC_OPERATOR_HALFSPACE boundary; int64_t nx ny; double hx hy modulus;
-    doubles dense; int64_t dense_ld; rc_apply_fn apply; handle user; double hardness"""
+    doubles dense; int64_t dense_ld; rc_apply_fn apply; handle user; double hardness;
+    int32_t creep_by creep_terms; rc_const_array creep_ratio creep_time"""
 
 
 @struct
 class rc_step(Sized):
     members = """size_t struct_size; int32_t control warm_start=1; double target; rc_const_array undeformed_gap mask p0;
-    int32_t borrow reserved"""
+    int32_t borrow reserved; double time"""
 
 
 @struct
@@ -64,13 +65,14 @@ class rc_columns(Sized):
 @struct
 class rc_history(Sized):
     members = """size_t struct_size; int32_t control warm_start=1; int64_t n; rc_const_array targets undeformed_gap mask;
-    rc_history_fn fn; handle user; int64_t completed; int32_t want_gap=1 virgin; rc_columns columns"""
+    rc_history_fn fn; handle user; int64_t completed; int32_t want_gap=1 virgin; rc_columns columns;
+    rc_const_array times"""
 
 
 @struct
 class rc_state(Sized):
     members = """size_t struct_size; rc_const_array undeformed_gap mask p; double approach load; rc_const_array p_before;
-    double approach_before load_before; rc_const_array indentation"""
+    double approach_before load_before; rc_const_array indentation creep; double time"""
 
 
 rc_batch_fn = callback(int32_t, int64_t, int64_t, rc_result, handle)
@@ -85,7 +87,7 @@ class rc_batch(Sized):
     int64_t target_stride; rc_const_array undeformed_gap; int64_t undeformed_gap_stride; rc_const_array mask;
     int64_t mask_stride; rc_const_array p0; rc_array p; rc_batch_fn fn; handle user;
     int64_t written certified first=-1; rc_batch_progress_fn progress; int32_t virgin reserved;
-    rc_columns columns"""
+    rc_columns columns; rc_const_array times"""
 
 
 @struct

@@ -11,7 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 from . import _constants
 from ._arrays import Doubles, Mask, Reals, array_out, as_doubles, as_mask, as_reals, as_switch, given
 from ._calls import check
-from ._errors import ArgumentError
+from ._errors import ArgumentError, ShapeError
+from ._creep import time_for
 from ._device import DeviceArray, alike, device_array, in_shape, package_of
 from ._derivatives import Gradient, Tangent, gradient_from, gradient_request, tangent_from, tangent_request
 from ._handle import Handle
@@ -93,6 +94,7 @@ class Contact(Handle):
         load: Optional[float] = None,
         pressure: Optional[float] = None,
         area: Optional[float] = None,
+        time: Optional[float] = None,
         undeformed_gap: Optional[ArrayLike] = None,
         mask: Optional[ArrayLike] = None,
         missing: str = "reject",
@@ -112,6 +114,7 @@ class Contact(Handle):
             CUDA device, float64 or float32, is read there, and the result's arrays are of the same kind on that device
         approach: approach of the bodies [length], load: normal force [force], pressure: load over the area of the grid, or area:
             contact area as a share of the grid's
+        time: at the end of the step, for bodies that creep, in the unit of their times; pressures change linearly from the step before
         mask: of the system's shape, 0 where a point carries no pressure; its gap may then be NaN
         missing: rule for masked or NaN heights: "reject", "exclude" or "fill"
         start: pressures to begin with [force/length^2]
@@ -125,7 +128,8 @@ class Contact(Handle):
         """
         what = prescribed(self.system, approach=approach, load=load, pressure=pressure, area=area)
         gap_array, mask_array = gap_and_mask(self.system, heights, undeformed_gap, mask, missing, single, devices=True)
-        return self._solve_one(what, gap_array, mask_array, start, warm_start, borrow, want_pressure, want_gap, single, check)
+        how = (start, warm_start, borrow, want_pressure, want_gap, single, check)
+        return self._solve_one(what, gap_array, mask_array, *how, time=time)
 
     def _solve_one(
         self,
@@ -139,12 +143,13 @@ class Contact(Handle):
         want_gap: bool = False,
         single: bool = False,
         check: bool = True,
+        time: Optional[float] = None,
     ) -> Result:
         """`solve`, of what is prepared."""
         first = None if start is None else as_doubles(start, "start", self.system.shape)
         there = gap_array if isinstance(gap_array, DeviceArray) else None
         single = single if there is None else there.dtype == "float32"
-        step = given(rc_step(), control=what.control, target=what.target())
+        step = given(rc_step(), control=what.control, target=what.target(), time=time_for(self.system, time))
         given(step, warm_start=as_switch(warm_start), borrow=as_switch(borrow))
         sent: Tuple[Any, ...] = (gap_array, mask_array, first)
         if there is not None:
@@ -172,6 +177,7 @@ class Contact(Handle):
         *,
         approach: Optional[float] = None,
         load: Optional[float] = None,
+        time: Optional[float] = None,
         undeformed_gap: Optional[ArrayLike] = None,
         mask: Optional[ArrayLike] = None,
         missing: str = "reject",
@@ -182,7 +188,8 @@ class Contact(Handle):
         what = prescribed(self.system, approach=approach, load=load)
         gap_array, mask_array = gap_and_mask(self.system, heights, undeformed_gap, mask, missing)
         judged = as_doubles(pressure, "pressure", self.system.shape).copy()
-        step = given(rc_step(), control=what.control, target=what.target(), undeformed_gap=gap_array, mask=mask_array)
+        step = given(rc_step(), control=what.control, target=what.target(), time=time_for(self.system, time))
+        given(step, undeformed_gap=gap_array, mask=mask_array)
         deformed = np.zeros(self.system.shape) if want_gap else None
         with self._holding(), self._pressing(gap_array, mask_array):
             inputs = (gap_array, mask_array)
@@ -243,6 +250,7 @@ class Contact(Handle):
         load: Optional[ArrayLike] = None,
         pressure: Optional[ArrayLike] = None,
         area: Optional[ArrayLike] = None,
+        time: Optional[ArrayLike] = None,
         undeformed_gap: Optional[ArrayLike] = None,
         mask: Optional[ArrayLike] = None,
         missing: str = "reject",
@@ -258,7 +266,7 @@ class Contact(Handle):
         gap_array, mask_array = gap_and_mask(self.system, heights, undeformed_gap, mask, missing)
         what = prescribed(self.system, approach=approach, load=load, pressure=pressure, area=area)
         return history_on(
-            self, what, gap_array, mask_array, warm_start, virgin, stiffness, keep_pressure, want_gap, each, check
+            self, what, gap_array, mask_array, warm_start, virgin, stiffness, keep_pressure, want_gap, each, check, time
         )
 
     def levels(self) -> List[Level]:
@@ -296,6 +304,15 @@ class Contact(Handle):
             check(contact_library().rc_contact_indentation(handle, array_out(left)))
         return left
 
+    def creep(self) -> Tuple[Doubles, Optional[float]]:
+        """(deflections, time) that certified steps have left in bodies that creep: [terms + 1, *shape], first the elastic one of the
+        last step, then of each term the delayed one, without its ratio [length]; and that step's time, None before the first."""
+        terms = self.system.creep if self.system.relaxation is None else self.system.relaxation
+        left, time = np.zeros((1 + len(terms or ()), *self.system.shape)), ctypes.c_double()
+        with self._holding() as handle:
+            check(contact_library().rc_contact_creep(handle, array_out(left), time))
+        return left, None if np.isnan(time.value) else time.value
+
     def explain(self) -> str:
         """The reasons for the choice of "auto" in the last step on the given grid: a line for each solver and backend."""
         text = ctypes.c_char_p()
@@ -311,7 +328,7 @@ class Contact(Handle):
         self._options = together
 
     def reset(self) -> None:
-        """Forgets the surface, its plastic indentation, the last pressures and factors."""
+        """Forgets the surface, its plastic indentation, creep, the last pressures and factors."""
         with self._holding() as handle:
             check(contact_library().rc_contact_reset(handle))
             self._borrowed, self._mask = [], None
@@ -323,6 +340,7 @@ class Contact(Handle):
         last: Tuple[ArrayLike, float, float],
         before: Optional[Tuple[ArrayLike, float, float]] = None,
         indentation: Optional[ArrayLike] = None,
+        creep: Optional[Tuple[ArrayLike, Optional[float]]] = None,
         undeformed_gap: Optional[ArrayLike] = None,
         mask: Optional[ArrayLike] = None,
         missing: str = "reject",
@@ -333,6 +351,7 @@ class Contact(Handle):
         last: its pressures, approach and load, as its result has them
         before: the same of the step before it, on the same surface; None: there was none
         indentation: the result of `indentation` after its last step [length]; None: none
+        creep: the result of `creep` after its last step, needed for bodies that creep
 
         With options={"resumable": 1} in both contacts the next steps give the same bits as in the other contact, otherwise they
         agree to round-off.
@@ -346,6 +365,13 @@ class Contact(Handle):
             given(state, p_before=earlier, approach_before=float(before[1]), load_before=float(before[2]))
         if indentation is not None:
             given(state, indentation=as_doubles(indentation, "indentation", self.system.shape))
+        if creep is not None:
+            terms = self.system.creep if self.system.relaxation is None else self.system.relaxation
+            shape = (1 + len(terms or ()), *self.system.shape)
+            left, time = as_doubles(creep[0], "creep[0]"), creep[1]
+            if left.shape != shape:
+                raise ShapeError(f"creep[0] has shape {left.shape}; {shape} is needed")
+            given(state, creep=left, time=np.nan if time is None else float(time))
         with self._holding() as handle:
             check(contact_library().rc_contact_restore(handle, state))
             self._borrowed, self._mask = [], mask_array

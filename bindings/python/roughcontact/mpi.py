@@ -26,6 +26,7 @@ from ._answers import needed
 from ._arrays import Doubles, Mask, as_doubles, as_mask, as_switch, given
 from ._c import members_for
 from ._calls import check as check_status, conclude, last_message
+from ._creep import time_for
 from ._errors import ArgumentError
 from ._keywords import options_of
 from ._pressed import Prescribed, prescribed
@@ -165,6 +166,7 @@ class Contact(OwnsHandle):
         load: Optional[float] = None,
         pressure: Optional[float] = None,
         area: Optional[float] = None,
+        time: Optional[float] = None,
         undeformed_gap: Optional[ArrayLike] = None,
         mask: Optional[ArrayLike] = None,
         start: Optional[ArrayLike] = None,
@@ -179,7 +181,7 @@ class Contact(OwnsHandle):
 
         def prepared() -> Any:
             what = prescribed(self.system, approach=approach, load=load, pressure=pressure, area=area)
-            step = self._step(what, undeformed_gap, mask)
+            step = self._step(what, undeformed_gap, mask, time)
             given(step, p0=None if start is None else as_doubles(start, "start", self.shape), warm_start=as_switch(warm_start))
             return step, np.zeros(self.shape) if want_pressure else None
 
@@ -191,6 +193,7 @@ class Contact(OwnsHandle):
         *,
         approach: Optional[float] = None,
         load: Optional[float] = None,
+        time: Optional[float] = None,
         undeformed_gap: Optional[ArrayLike] = None,
         mask: Optional[ArrayLike] = None,
         want_gap: bool = False,
@@ -200,7 +203,7 @@ class Contact(OwnsHandle):
 
         def prepared() -> Any:
             judged = as_doubles(pressure, "pressure", self.shape).copy()
-            return self._step(prescribed(self.system, approach=approach, load=load), undeformed_gap, mask), judged
+            return self._step(prescribed(self.system, approach=approach, load=load), undeformed_gap, mask, time), judged
 
         return self._run(contact_library().rc_contact_certify, prepared, want_gap, check)
 
@@ -215,14 +218,17 @@ class Contact(OwnsHandle):
         if not self._close.alive:
             raise ArgumentError("the contact is closed")
 
-    def _step(self, what: Prescribed, undeformed_gap: Optional[ArrayLike], mask: Optional[ArrayLike]) -> rc_step:
+    def _step(
+        self, what: Prescribed, undeformed_gap: Optional[ArrayLike], mask: Optional[ArrayLike], time: Optional[float]
+    ) -> rc_step:
         self._refuse_closed()
         gap = None if undeformed_gap is None else as_doubles(undeformed_gap, "undeformed_gap", self.shape)
         chosen = as_mask(mask, "mask", self.shape)
         self._keep = gap, chosen
         if gap is not None or chosen is not None:
             self._mask = chosen
-        return given(rc_step(), control=what.control, target=what.target(), undeformed_gap=gap, mask=chosen)
+        step = given(rc_step(), control=what.control, target=what.target(), time=time_for(self.system, time))
+        return given(step, undeformed_gap=gap, mask=chosen)
 
     def _run(self, function: Any, prepared: Callable[[], Any], want_gap: bool, must_be_certified: bool) -> Result:
         step, pressure = _together(self._world, prepared)

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from . import _constants
 from ._arrays import Doubles, Pitch, Shape, as_doubles, as_pitch, as_shape, as_text, columns_and_rows, pointer
 from ._calls import Callbacks, check, last_message
+from ._creep import Terms, give_creep
 from ._elastic import Constant, needed_modulus
 from ._errors import ArgumentError, ShapeError
 from ._library import contact_library
@@ -56,12 +57,16 @@ class System(ABC):
     shape: of gaps and pressures
     pitch: (hx, hy), hx along the last axis [length]
     hardness: the largest pressure [force/length^2]; None: elastic
+    creep: pairs (ratio, time) of the compliance, (1 + sum of ratio (1 - exp(-t/time))) times that at once; or relaxation: of the
+        modulus, (1 - sum of ratio (1 - exp(-t/time))) times that at once. Every step then needs its time. None: no creep
     """
 
     shape: Shape
     pitch: Tuple[float, float]
     periodic: Repeats = False
     hardness: Optional[float] = None
+    creep: Optional[Terms] = None
+    relaxation: Optional[Terms] = None
     modulus: Optional[float] = None  # of a `HalfSpace`
 
     @abstractmethod
@@ -71,12 +76,14 @@ class System(ABC):
     def __repr__(self) -> str:
         modulus = "" if self.modulus is None else f", modulus {self.modulus:.6g}, {name_of(self.periodic)}"
         hard = "" if self.hardness is None else f", hardness {self.hardness:.6g}"
+        creeps = "" if self.creep is None and self.relaxation is None else ", creeps"
         points = " x ".join(map(str, self.shape[::-1]))
-        return f"{type(self).__name__}({points} points, pitch {self.pitch[0]:g}, {self.pitch[1]:g}{modulus}{hard})"
+        return f"{type(self).__name__}({points} points, pitch {self.pitch[0]:g}, {self.pitch[1]:g}{modulus}{hard}{creeps})"
 
     def struct(self) -> Tuple[rc_system, Callbacks]:
         system = grid_struct(self.shape, self.pitch, self.periodic)
         system.hardness = 0 if self.hardness is None else self.hardness
+        give_creep(system, self.creep, self.relaxation)
         return system, self.fill(system)
 
 
@@ -114,6 +121,7 @@ class HalfSpace(System):
         "periodic-y": it repeats along this axis only; None: periodic, with an `AssumedBoundary` warning
     hardness: the largest pressure [force/length^2]; None: none. Where it acts the bodies may overlap, and the overlap is a
         plastic indentation that remains in later steps, see `Contact.indentation`
+    creep, relaxation: as in `System`; modulus is that at once
     """
 
     def __init__(
@@ -126,8 +134,11 @@ class HalfSpace(System):
         nu: Optional[Constant] = None,
         boundary: Optional[str] = None,
         hardness: Optional[float] = None,
+        creep: Optional[Terms] = None,
+        relaxation: Optional[Terms] = None,
     ) -> None:
         boundary = boundary_of(boundary, None)
+        self.creep, self.relaxation = creep, relaxation
         self.shape, self.pitch, self.modulus = as_shape(shape), as_pitch(pitch), float(needed_modulus(modulus, E, nu))
         self.boundary, self.periodic, self.hardness = boundary, REPEATS[boundary], as_hardness(hardness)
 
@@ -142,11 +153,14 @@ class HalfSpace(System):
         pitch: Optional[Pitch] = None,
         boundary: Optional[str] = None,
         hardness: Optional[float] = None,
+        creep: Optional[Terms] = None,
+        relaxation: Optional[Terms] = None,
     ) -> HalfSpace:
         """The grid of a surface: a `Surface`, a topography of SurfaceTopography, or an array with a pitch."""
         found = as_surface(surface, pitch)
         boundary = boundary_of(boundary, found.periodic)
-        return cls(found.shape, pitch=found.pitch, modulus=modulus, E=E, nu=nu, boundary=boundary, hardness=hardness)
+        how: Dict[str, Any] = {"boundary": boundary, "hardness": hardness, "creep": creep, "relaxation": relaxation}
+        return cls(found.shape, pitch=found.pitch, modulus=modulus, E=E, nu=nu, **how)
 
     def fill(self, system: rc_system) -> Callbacks:
         system.op, system.modulus = _constants.RC_OPERATOR_HALFSPACE, self.modulus
@@ -159,13 +173,20 @@ class Matrix(System):
     H: [n, n]; an array of doubles with contiguous rows or columns is not copied, and must not change
     shape: of gaps and pressures, n points altogether; None: (n,)
     pitch: one number or (hx, hy): hx hy is the area of a cell
-    hardness: as in `HalfSpace`
+    hardness, creep, relaxation: as in `HalfSpace`; H is that at once
     """
 
     def __init__(
-        self, H: ArrayLike, *, pitch: Pitch, shape: Optional[Union[int, Sequence[int]]] = None, hardness: Optional[float] = None
+        self,
+        H: ArrayLike,
+        *,
+        pitch: Pitch,
+        shape: Optional[Union[int, Sequence[int]]] = None,
+        hardness: Optional[float] = None,
+        creep: Optional[Terms] = None,
+        relaxation: Optional[Terms] = None,
     ) -> None:
-        self.H, self.hardness = square(H), as_hardness(hardness)
+        self.H, self.hardness, self.creep, self.relaxation = square(H), as_hardness(hardness), creep, relaxation
         n = self.H.shape[0]
         self.shape, self.pitch = (n,) if shape is None else as_shape(shape), as_pitch(pitch)
         if int(np.prod(self.shape)) != n:
@@ -202,7 +223,7 @@ class Product(System):
     apply: called with an array of `shape` that is to be read only [force/length^2], returns one of that shape [length]. It is
         called on the thread that solves, which is not the main one; by `batch` on several threads at the same time. An
         exception ends the solve and is raised by it.
-    shape, pitch, hardness: as in `Matrix`
+    shape, pitch, hardness, creep, relaxation: as in `Matrix`
     """
 
     def __init__(
@@ -212,8 +233,10 @@ class Product(System):
         *,
         pitch: Pitch,
         hardness: Optional[float] = None,
+        creep: Optional[Terms] = None,
+        relaxation: Optional[Terms] = None,
     ) -> None:
-        self.hardness = as_hardness(hardness)
+        self.hardness, self.creep, self.relaxation = as_hardness(hardness), creep, relaxation
         self.apply, self.shape, self.pitch = apply, as_shape(shape), as_pitch(pitch)
 
     def _call(self, x: Any, y: Any, n: int, _: Any) -> int:

@@ -27,7 +27,13 @@ std::vector<Fact> facts_of(const rc_system& system, const rc_options& options) {
                           {"rc_system.hx", exact(system.hx)},
                           {"rc_system.hy", exact(system.hy)},
                           {"rc_system.modulus", exact(system.modulus)},
-                          {"rc_system.hardness", exact(system.hardness)}};
+                          {"rc_system.hardness", exact(system.hardness)},
+                          {"rc_system.creep_by", join(system.creep_by)},
+                          {"rc_system.creep_terms", join(system.creep_terms)}};
+  for (const auto& [name, values] :
+       {std::pair<const char*, const rc_const_array&>{"creep_ratio", system.creep_ratio}, {"creep_time", system.creep_time}})
+    for (std::int32_t k = 0; values.data && k < system.creep_terms; ++k)
+      facts.push_back({join("rc_system.", name, "[", k, "]"), exact(values_of<double>(values)[k])});
   for (const OptionSpec* spec : options.context->known_options())
     if (spec->key != RC_OPT_THREADS) facts.push_back({join("option ", spec->key), options.values.text_of(*spec)});
   return facts;
@@ -37,6 +43,7 @@ std::vector<Fact> facts_of(const rc_step& step, const Outputs& outputs) {
   return {{"rc_step.control", join(step.control)},
           {"rc_step.warm_start", join(step.warm_start)},
           {"rc_step.target", exact(step.target)},
+          {"rc_step.time", exact(step.time)},
           {"the type of rc_step.undeformed_gap", which(step.undeformed_gap)},
           {"rc_step.mask", step.mask.data ? "given" : "none"},
           {"the type of rc_step.p0", which(step.p0)},
@@ -62,8 +69,10 @@ std::vector<Fact> facts_of(const rc_history& path) {
                                      {"stiffness_lower", path.columns.stiffness_lower},
                                      {"stiffness_upper", path.columns.stiffness_upper}})
     facts.push_back({join("rc_history.columns.", name), output.data ? "given" : "none"});
-  for (std::int64_t i = 0; path.targets.data && i < path.n; ++i)
-    facts.push_back({join("rc_history.targets[", i, "]"), exact(values_of<double>(path.targets)[i])});
+  for (const auto& [name, values] :
+       {std::pair<const char*, const rc_const_array&>{"targets", path.targets}, {"times", path.times}})
+    for (std::int64_t i = 0; values.data && i < path.n; ++i)
+      facts.push_back({join("rc_history.", name, "[", i, "]"), exact(values_of<double>(values)[i])});
   return facts;
 }
 

@@ -70,7 +70,7 @@ class OneStep {
     Memory after = grid_.memory();
     if (!found_) {
       after.last = before_.last;
-      grid_.leave_no_indentation();
+      grid_.leave_bodies();
     }
     after.before = found_ ? before_.last : before_.before;
     grid_.recall(std::move(after));

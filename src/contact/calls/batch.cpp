@@ -58,6 +58,8 @@ struct Request {
            most_values, " values");
     if (!given.targets.data) fail(RC_ERR_ARGUMENT, "rc_batch.targets is null but n = ", given.n, " and steps = ", given.steps);
     if (!given.undeformed_gap.data) fail(RC_ERR_ARGUMENT, "rc_batch.undeformed_gap is null but n = ", given.n);
+    if (!system.creep.empty() && !given.times.data)
+      fail(RC_ERR_ARGUMENT, "rc_batch.times is null but the system creeps; give the time of each step");
     if (given.control != RC_CONTROL_PRESSURE) return;
     const std::int64_t targets = (given.n - 1) * given.target_stride + given.steps;
     for (std::int64_t i = 0; i < targets; ++i) loads.push_back(values_of<double>(given.targets)[i] * nominal_area(system));
@@ -74,6 +76,7 @@ struct Request {
     step.control = given.control;
     step.warm_start = given.warm_start;
     step.target = target(i, k);
+    if (given.times.data) step.time = values_of<double>(given.times)[i * given.target_stride + k];
     if (k > 0) return step;  // later steps keep the surface of the first
     step.undeformed_gap = from_value(given.undeformed_gap, i * given.undeformed_gap_stride, sizeof(double));
     step.mask = from_value(given.mask, i * given.mask_stride, sizeof(std::uint8_t));

@@ -15,9 +15,16 @@ namespace rc {
 
 namespace {
 
-// The plastic indentation in rc_state; empty if it is null or all zeros.
+void check_elastic(const System& system) {
+  if (!system.creep.empty())
+    fail(RC_ERR_INCOMPATIBLE, "derivatives are for elastic bodies, but rc_system.creep_terms is set; take differences of steps");
+}
+
+// The plastic indentation in rc_state, with the gap if it is to be kept; empty if it is null or all zeros.
 Indentation indentation_of(const rc_state& state, const System& system) {
-  if (!state.indentation.data) return {};
+  const GapValues gap(std::span(values_of<double>(state.undeformed_gap), static_cast<std::size_t>(system.points())));
+  const Indentation none = system.creep.empty() ? Indentation() : Indentation({}, gap);
+  if (!state.indentation.data) return none;
   const std::span<const double> depth(values_of<double>(state.indentation), static_cast<std::size_t>(system.points()));
   for (std::size_t i = 0; i < depth.size(); ++i) {
     if (!(depth[i] >= 0 && std::isfinite(depth[i])))
@@ -25,8 +32,20 @@ Indentation indentation_of(const rc_state& state, const System& system) {
     if (depth[i] > 0 && !system.capped())
       fail(RC_ERR_ARGUMENT, "rc_state.indentation[", i, "] = ", depth[i], " but the system has no hardness");
   }
-  if (std::all_of(depth.begin(), depth.end(), [](double value) { return value == 0; })) return {};
-  return {depth, std::span(values_of<double>(state.undeformed_gap), depth.size())};
+  if (std::all_of(depth.begin(), depth.end(), [](double value) { return value == 0; })) return none;
+  return {depth, gap};
+}
+
+Creep creep_of(const rc_state& state, const System& system) {
+  const std::vector<PronyTerm>& terms = system.creep;
+  if (terms.empty() && state.creep.data) fail(RC_ERR_ARGUMENT, "rc_state.creep is given but the system does not creep");
+  if (terms.empty() || !state.p.data) return Creep(terms);
+  if (!state.creep.data)
+    fail(
+        RC_ERR_ARGUMENT,
+        "rc_state.creep is null but the system creeps and rc_state.p is given: steps go on only from what rc_contact_creep gave");
+  const std::size_t values = (terms.size() + 1) * static_cast<std::size_t>(system.points());
+  return {terms, {values_of<double>(state.creep), values}, state.time};
 }
 
 }  // namespace
@@ -45,7 +64,7 @@ void Contact::ask(const Asked& asked) {
   GridProblem& problem = grid_.problem();
   problem.options.set(RC_OPT_STIFFNESS, asked.stiffness);
   problem.options.set(RC_OPT_BOUNDS, asked.bounds);
-  problem.goal.leaves_indentation = asked.leaves_indentation;
+  problem.goal.changes_bodies = asked.changes_bodies;
 }
 
 Prepared Contact::prepare(const rc_step& given) {
@@ -74,10 +93,10 @@ Numbers Contact::solve_prepared(const Prepared& prepared, const Outputs& outputs
 }
 
 Numbers Contact::at_target(const Step& step, Monitor& monitor, const Outputs& outputs) {
-  // With a hardness the whole grid is solved: the error estimates of an accuracy goal hold for elastic contact.
+  // With a hardness or creep the whole grid is solved: the error estimates of an accuracy goal hold for elastic contact.
   const System& system = problem().system;
-  const bool coarser_may_do =
-      problem().goal.error > 0 && system.halfspace() && !system.capped() && step.target.touches(problem().surface);
+  const bool coarser_may_do = problem().goal.error > 0 && system.halfspace() && !system.capped() && system.creep.empty() &&
+                              step.target.touches(problem().surface);
   std::optional<Estimate> nearer;
   std::optional<Numbers> numbers;
   if (coarser_may_do) numbers = goal_.solve(grid_, step, monitor, outputs, nearer);
@@ -99,12 +118,14 @@ Numbers Contact::certify(const rc_step& step, const Outputs& outputs, std::optio
 
 rc_status Contact::gradient(rc_gradient& gradient) {
   const Cancellable cancellable(watcher());
+  check_elastic(system());
   const Rest after(grid_.problem());
   return differentiate(grid_.problem(), grid_.memory(), grid_.monitor(), gradient);
 }
 
 rc_status Contact::tangent(rc_tangent& tangent) {
   const Cancellable cancellable(watcher());
+  check_elastic(system());
   const Rest after(grid_.problem());
   return differentiate(grid_.problem(), grid_.memory(), grid_.monitor(), tangent);
 }
@@ -137,8 +158,9 @@ void Contact::restore(const rc_state& state) {
   StepSurface surface({system.given.nx, system.given.ny, summed ? GapValues(indented) : GapValues(gap), mask, false, 0, summed},
                       problem().team());
   Memory memory = memory_of(state, surface, system.points());
+  Creep creep = creep_of(state, system);
   goal_.forget();
-  grid_.restore(std::move(memory), std::move(surface), std::move(indentation));
+  grid_.restore(std::move(memory), std::move(surface), std::move(indentation), std::move(creep));
   drop_copies();
 }
 

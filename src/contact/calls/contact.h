@@ -16,7 +16,7 @@ namespace rc {
 // Settings that a history changes for its steps.
 struct Asked {
   std::int64_t stiffness, bounds;  // the options of these names
-  bool leaves_indentation;         // whether it leaves a plastic indentation to those after it
+  bool changes_bodies;             // whether it leaves an indentation and creep to those after it
 };
 
 // A step that the contact has prepared, by load if the area is prescribed.

@@ -16,6 +16,20 @@ namespace {
 
 double target(const rc_history& history, std::int64_t i) { return values_of<double>(history.targets)[i]; }
 
+double time_at(const rc_history& history, std::int64_t i) { return history.times.data ? values_of<double>(history.times)[i] : 0; }
+
+void check_times(const rc_history& history) {
+  if (history.n > 0 && !history.times.data)
+    fail(RC_ERR_ARGUMENT, "rc_history.times is null but the system creeps; give the time of each step");
+  for (std::int64_t i = 0; i < history.n; ++i) {
+    if (!std::isfinite(time_at(history, i)))
+      fail(RC_ERR_ARGUMENT, "rc_history.times[", i, "] = ", time_at(history, i), " is not finite");
+    if (i > 0 && time_at(history, i) < time_at(history, i - 1))
+      fail(RC_ERR_ARGUMENT, "rc_history.times[", i, "] = ", time_at(history, i), " is before that of the step before it, ",
+           time_at(history, i - 1), "; times must not go back");
+  }
+}
+
 void check_history(const rc_history& history) {
   if (history.n < 0) fail(RC_ERR_ARGUMENT, "rc_history.n = ", history.n, " must be >= 0");
   check_control(history.control, "rc_history.control");
@@ -30,6 +44,7 @@ rc_step history_step(const rc_history& history, std::int64_t i) {
   step.control = history.control;
   step.warm_start = history.warm_start;
   step.target = target(history, i);
+  step.time = time_at(history, i);
   if (i == 0) {  // later steps keep the surface of the first
     step.undeformed_gap = history.undeformed_gap;
     step.mask = history.mask;
@@ -59,7 +74,7 @@ class Asking {
 
  private:
   static Asked asked(const GridProblem& problem) {
-    return {problem.options.integer(RC_OPT_STIFFNESS), problem.options.integer(RC_OPT_BOUNDS), problem.goal.leaves_indentation};
+    return {problem.options.integer(RC_OPT_STIFFNESS), problem.options.integer(RC_OPT_BOUNDS), problem.goal.changes_bodies};
   }
 
   Contact& contact_;
@@ -79,6 +94,7 @@ HistoryWants wants_of(const rc_history& history) {
 
 rc_status solve_history(Contact& contact, const rc_history& history, const HistoryWants& wants, std::int64_t& completed) {
   check_history(history);
+  if (!contact.system().creep.empty()) check_times(history);
   if (history.n == 0) return RC_OK;
   // A cancellation between two steps must reach the next one, so it is cleared only when the history ends.
   const Cancellable cancellable(contact.watcher());

@@ -33,8 +33,8 @@ bool asks_for_more(const GridProblem& problem, const rc_batch& batch) {
 
 std::optional<ManySolve> ManySolve::of(const GridProblem& problem, const rc_batch& batch, std::int64_t threads) {
   const std::int64_t points = problem.system.points();
-  if (batch.n < 2 || batch.steps < 1 || batch.control == RC_CONTROL_AREA || !problem.system.halfspace() || any_floats(batch) ||
-      asks_for_more(problem, batch))
+  if (batch.n < 2 || batch.steps < 1 || batch.control == RC_CONTROL_AREA || !problem.system.halfspace() ||
+      !problem.system.creep.empty() || any_floats(batch) || asks_for_more(problem, batch))
     return std::nullopt;
   ManySolve many(problem, batch);
   try {

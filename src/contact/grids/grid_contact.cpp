@@ -26,22 +26,38 @@ double longer_side(const rc_system& system) {
   return std::max(system.hx * static_cast<double>(system.nx), system.hy * static_cast<double>(system.ny));
 }
 
-StepSurface surface_with(const Indentation& indentation, std::span<const std::uint8_t> mask, const GridProblem& problem) {
+// creep: null, or the bodies' with a step.
+StepSurface surface_with(const Indentation& indentation, std::span<const std::uint8_t> mask, const GridProblem& problem,
+                         const std::pair<const Creep&, const CreepStep&>* creep = nullptr) {
   const rc_system& system = problem.system.given;
-  const std::vector<double> gap = indentation.indented();
-  return StepSurface({system.nx, problem.rows().own(system.ny), gap, mask, false, longer_side(system), true}, problem.team(),
+  std::vector<double> gap;
+  problem.rows().on_all([&] {
+    gap = indentation.indented();
+    if (creep) creep->first.put_into(gap, creep->second, problem.team());
+  });
+  const int roundings = creep ? creep->first.roundings() : 1;
+  return StepSurface({system.nx, problem.rows().own(system.ny), gap, mask, false, longer_side(system), roundings}, problem.team(),
                      problem.rows());
 }
 
 // The surface that this step describes; nothing if it keeps that of the step before.
-std::optional<IndentedSurface> given_surface(const rc_step& step, const GridProblem& problem, const Indentation& indentation) {
+std::optional<IndentedSurface> given_surface(const rc_step& step, const GridProblem& problem, const Indentation& indentation,
+                                             const Creep& creep, const CreepStep& creep_step) {
   const auto n = static_cast<std::size_t>(problem.own_points());
   const bool given_anew = step.undeformed_gap.data != nullptr;
   const GapValues gap = given_anew ? GapValues(step.undeformed_gap, n) : problem.surface.gap();
   if (!given_anew && problem.surface.empty())
     fail(RC_ERR_ARGUMENT, "rc_step.undeformed_gap.data is null and no earlier step gave one");
-  if (!given_anew && !step.mask.data) return std::nullopt;
+  if (!given_anew && !step.mask.data && creep.none()) return std::nullopt;
   const std::span<const std::uint8_t> mask(values_of<std::uint8_t>(step.mask), step.mask.data ? n : 0);
+  if (!creep.none()) {  // of a copy of the gap, which each step puts what is left into
+    IndentedSurface given;
+    problem.rows().on_all([&] { given.indentation = given_anew ? indentation.of(gap) : indentation; });
+    const std::pair<const Creep&, const CreepStep&> bodies(creep, creep_step);
+    given.surface =
+        surface_with(given.indentation, given_anew || step.mask.data ? mask : problem.surface.mask(), problem, &bodies);
+    return given;
+  }
   if (!indentation.none()) {
     IndentedSurface given{{}, given_anew ? indentation.of(gap) : indentation};
     given.surface = surface_with(given.indentation, mask, problem);
@@ -76,12 +92,13 @@ Monitor GridContact::monitor() const {
           problem_.options.integer(RC_OPT_MAX_ITER), problem_.operators().spent()};
 }
 
-// Puts what the last step has left into the surface, which counts as the same.
-void GridContact::indent() {
+// Puts what the last step has left into the surface, which counts as the same; with creep the next step does so.
+void GridContact::settle() {
+  problem_.rows().on_all([&] { creep_.settle(problem_.team()); });
   if (!problem_.rows().any(!overlap_.empty())) return;
   Indentation next;
   problem_.rows().on_all([&] { next = indentation_.with(overlap_, problem_.surface.gap()); });
-  problem_.surface = surface_with(next, problem_.surface.mask(), problem_);
+  if (creep_.none()) problem_.surface = surface_with(next, problem_.surface.mask(), problem_);
   indentation_ = std::move(next);
   overlap_ = {};
 }
@@ -93,15 +110,22 @@ void GridContact::write_indentation(std::span<double> to) const {
 
 Step GridContact::prepare(const rc_step& given_step) {
   problem_.company().forget_stop();
-  indent();
-  const Step step = step_of(given_step);
-  std::optional<IndentedSurface> given = given_surface(given_step, problem_, indentation_);
-  check(step, problem_, given ? given->surface : problem_.surface);
+  settle();
+  CreepStep creep_step = creep_.step_to(given_step.time);
+  Step step = step_of(given_step);
+  if (!step.target.by_load()) step.target.value /= creep_step.compliance;
+  std::optional<IndentedSurface> given = given_surface(given_step, problem_, indentation_, creep_, creep_step);
+  check(step, problem_, given ? given->surface : problem_.surface, creep_step.compliance);
   if (given) {
     adopt(std::move(given->surface));
     indentation_ = std::move(given->indentation);
   }
   memory_.indented = !indentation_.none();
+  if (!creep_.none()) {
+    problem_.compliance = creep_step.compliance;
+    memory_.last.approach = memory_.last.reported / problem_.compliance;
+    creep_.begin(std::move(creep_step));
+  }
   begin();
   return step;
 }
@@ -124,6 +148,7 @@ Numbers GridContact::solve_prepared(const Step& step, Monitor& monitor, const Ou
     memory_.outcome.undecided = numbers.bounds.undecided;
   }
   numbers.work.levels = grids_.current();
+  numbers.multiply_lengths(problem_.compliance);
   return numbers;
 }
 
@@ -134,8 +159,16 @@ Numbers GridContact::certify(const rc_step& step, const Outputs& outputs, std::o
   const std::atomic<bool> never{false};  // a cancellation is meant for a step
   Monitor once(never, {}, 0, 1, problem_.operators().spent());
   Finished finished = certify_given(problem_, prepared.target, Attempt{once}, outputs, compression);
-  if (compression && problem_.goal.leaves_indentation) overlap_ = std::move(finished.overlap);
-  return finished.numbers;
+  Numbers numbers = finished.numbers;
+  if (compression) keep_bodies(std::move(finished));
+  numbers.multiply_lengths(problem_.compliance);
+  return numbers;
+}
+
+void GridContact::keep_bodies(Finished&& finished) {
+  if (!problem_.goal.changes_bodies) return;
+  overlap_ = std::move(finished.overlap);
+  if (!creep_.none()) creep_.leave(std::move(finished.deflection));
 }
 
 void GridContact::remember(Finished&& finished, const Choice& by) {
@@ -148,12 +181,13 @@ void GridContact::remember(Finished&& finished, const Choice& by) {
   }
   if (kept.empty()) kept = std::move(finished.pressures);
   const Numbers& numbers = finished.numbers;
-  memory_.record({std::move(kept), numbers.approach, numbers.load(problem_.system), true, std::move(finished.kept)});
-  if (problem_.goal.leaves_indentation) overlap_ = std::move(finished.overlap);
+  memory_.record({std::move(kept), numbers.approach, numbers.load(problem_.system), true, std::move(finished.kept),
+                  numbers.approach * problem_.compliance});
+  keep_bodies(std::move(finished));
 }
 
 void GridContact::adopt(StepSurface&& given) {
-  const bool same = !problem_.rows().any(problem_.surface.empty() || !same_surface(given, problem_.surface));
+  const bool same = creep_.none() && !problem_.rows().any(problem_.surface.empty() || !same_surface(given, problem_.surface));
   memory_.surface_is(same);
   if (!same) problem_.facts.tilt.reset();
   problem_.surface = std::move(given);
@@ -170,17 +204,20 @@ void GridContact::forget(Forgotten what) {
   memory_.forget();
   if (what == Forgotten::steps) return;
   problem_.surface = {};
+  problem_.compliance = 1;
   indentation_ = {};
   overlap_ = {};
+  creep_.forget();
   if (what == Forgotten::grids) grids_.clear();
 }
 
-void GridContact::restore(Memory&& memory, StepSurface&& surface, Indentation&& indentation) {
+void GridContact::restore(Memory&& memory, StepSurface&& surface, Indentation&& indentation, Creep&& creep) {
   forget(Forgotten::surface);
   adopt(std::move(surface));
   memory_.last = std::move(memory.last);
   memory_.before = std::move(memory.before);
   indentation_ = std::move(indentation);
+  creep_ = std::move(creep);
 }
 
 }  // namespace rc

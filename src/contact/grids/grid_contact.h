@@ -10,6 +10,7 @@
 #include "contact/memory/memory.h"
 #include "contact/problem.h"
 #include "contact/proof/certified.h"
+#include "contact/surface/creep.h"
 #include "contact/surface/indentation.h"
 
 namespace rc {
@@ -25,7 +26,7 @@ class GridContact {
  public:
   // team: null, or a team to use instead of its own. If rows are shared, all ranks call the same functions.
   GridContact(const rc_system& system, const rc_options& options, const rc_team* team, const Company& company = {})
-      : problem_(system, options, team, company) {
+      : problem_(system, options, team, company), creep_(problem_.system.creep) {
     problem_.coarse = &grids_;
   }
 
@@ -48,19 +49,25 @@ class GridContact {
   Numbers certify(const rc_step& step, const Outputs& outputs, std::optional<double> compression = std::nullopt);
   // The memory that another solve of the prepared step starts from.
   void recall(Memory&& memory) { memory_ = std::move(memory); }
-  void leave_no_indentation() { overlap_ = {}; }  // of the last step
+  // The last step does not change them.
+  void leave_bodies() {
+    overlap_ = {};
+    creep_.leave_nothing();
+  }
   // Remembers a step that is certified or within its goal.
   void remember(Finished&& finished, const Choice& by);
 
   void adopt(StepSurface&& given);
   void forget(Forgotten what);
   // The state after the steps that memory describes. surface: theirs, with the indentation.
-  void restore(Memory&& memory, StepSurface&& surface, Indentation&& indentation);
+  void restore(Memory&& memory, StepSurface&& surface, Indentation&& indentation, Creep&& creep);
   // The plastic indentation that the next step will see [nx*ny].
   void write_indentation(std::span<double> to) const;
+  const Creep& creep() const { return creep_; }
 
  private:
-  void indent();
+  void settle();
+  void keep_bodies(Finished&& finished);
   void forget_operators();
 
   GridProblem problem_;
@@ -68,6 +75,7 @@ class GridContact {
   Memory memory_;
   Indentation indentation_;  // in the surface
   Overlap overlap_;          // of the last certified step; not in the surface yet
+  Creep creep_;
   Watcher watcher_;
 };
 

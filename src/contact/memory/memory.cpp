@@ -15,7 +15,7 @@ namespace {
 CertifiedStep certified_step(const double* p, double approach, double load, const StepSurface& surface, std::int64_t points,
                              const char* suffix) {
   if (!p) return {};
-  CertifiedStep step{{}, approach, load, true};
+  CertifiedStep step{{}, approach, load, true, {}, approach};
   for (const auto& [value, name] : {std::pair{approach, "approach"}, {load, "load"}})
     if (!std::isfinite(value)) fail(RC_ERR_ARGUMENT, "rc_state.", name, suffix, " = ", value, " is not finite");
   const std::int64_t nx = surface.points().nx();

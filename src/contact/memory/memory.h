@@ -19,6 +19,7 @@ struct CertifiedStep {
   double load = 0;        // [force]
   bool same_gap = false;  // its surface is that of the current step
   KeptAnswer kept = {};   // of its pressures, by their solver
+  double reported = 0;    // [length] its approach in rc_result; the other is over the compliance of the current step
 };
 
 struct Memory {

@@ -241,7 +241,7 @@ void write_arrays(const GridProblem& problem, const Deflected& answer, double co
   if (!outputs.gap.wanted()) return;
   each_chunk(static_cast<std::int64_t>(answer.size()), problem.team(), [&](std::int64_t begin, std::int64_t count) {
     for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(begin + count); ++i)
-      outputs.gap.put(i, answer.product[i] - (compression - problem.surface.height(i)));
+      outputs.gap.put(i, problem.compliance * (answer.product[i] - (compression - problem.surface.height(i))));
   });
 }
 
@@ -325,7 +325,7 @@ Overlap overlap_of(const GridProblem& problem, const Deflected& found, double co
     const double depth = plastic_depth(found.product[k], compression, problem.surface.height(i));
     if (!(depth > 0)) continue;
     result.point.push_back(static_cast<std::int64_t>(i));
-    result.depth.push_back(depth);
+    result.depth.push_back(problem.compliance * depth);
   }
   return result;
 }
@@ -335,7 +335,7 @@ Overlap overlap_of(const GridProblem& problem, const Deflected& found, double co
 Finished certified_result(const GridProblem& problem, const Target& target, Answer&& answer, const Attempt& attempt,
                           const Outputs& outputs) {
   Stiffness rate = wanted_stiffness(problem, answer, attempt);
-  Deflected found = deflected(problem, answer, outputs.gap.wanted());
+  Deflected found = deflected(problem, answer, outputs.gap.wanted() || problem.keeps_deflection());
   // After a stop the approach is made to fit the pressures, but not if points were screened: that holds for one approach.
   const bool by_load = target.by_load(), stopped = by_load && answer.status != RC_OK && !answer.checked;
   const double without = by_load ? 0 : target.compression(problem.surface);
@@ -343,7 +343,8 @@ Finished certified_result(const GridProblem& problem, const Target& target, Answ
   Overlap overlap = overlap_of(problem, found, depth);
   Numbers numbers = certified(problem, target, answer, found, depth, std::move(rate), attempt);
   write_arrays(problem, found, depth, outputs);
-  return {numbers, std::move(found.pressures), std::move(overlap), std::move(answer.history.own), answer.choice};
+  std::vector<double> left = problem.keeps_deflection() ? std::move(found.product) : std::vector<double>();
+  return {numbers, std::move(found.pressures), std::move(overlap), std::move(left), std::move(answer.history.own), answer.choice};
 }
 
 Deflected deflection(const GridProblem& problem, const TrialSet& trial, std::vector<double> p, Answer& by,

@@ -13,10 +13,11 @@ struct Survey;
 
 struct Finished {
   Numbers numbers;
-  Pressures pressures = {};  // of use only if the step is certified or within its goal
-  Overlap overlap = {};      // the same: of points whose pressure is the hardness
-  KeptAnswer kept = {};      // the same: pressures that the solver keeps
-  Choice by = {};            // the components that solved
+  Pressures pressures = {};             // of use only if the step is certified or within its goal
+  Overlap overlap = {};                 // the same: of points whose pressure is the hardness
+  std::vector<double> deflection = {};  // the same: H p at all points, if the problem keeps it
+  KeptAnswer kept = {};                 // the same: pressures that the solver keeps
+  Choice by = {};                       // the components that solved
 };
 
 // Certifies the answer of a step and writes the caller's arrays at last. answer: default constructed if nothing touches, or if a

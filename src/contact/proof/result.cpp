@@ -19,6 +19,13 @@ Totals Totals::operator+(const Totals& b) const {
           capped + b.capped};
 }
 
+void Numbers::multiply_lengths(double by) {
+  for (double* const length : {&totals.energy, &totals.overlap, &totals.largest_product, &approach, &bounds.duality_gap,
+                               &bounds.gap_error, &mean_gap, &accuracy.left_out})
+    *length *= by;
+  for (double* const per_length : {&stiffness.value, &stiffness.lower, &stiffness.upper, &punch_stiffness}) *per_length /= by;
+}
+
 std::string note_from(const std::vector<std::string>& remarks, std::size_t room) {
   constexpr std::size_t reserved = sizeof "; 999 more remarks" - 1;
   std::size_t whole = 0;

@@ -63,6 +63,8 @@ struct Numbers {
 
   double load(const System& system) const { return totals.sum * system.cell_area(); }
   double energy(const System& system) const { return totals.energy * system.cell_area(); }
+  // For lengths that were divided by this.
+  void multiply_lengths(double by);
 };
 
 inline double contact_area(const Numbers& numbers, const System& system) {

@@ -54,18 +54,19 @@ template <class Take> void each_own(const GridProblem& problem, std::size_t n, c
     if (point(k) >= before && point(k) < end) take(point(k) - before, k);
 }
 
-// The deformed gap at all points of the rows, by one product that all make together; returns its mean.
-double write_gap(const GridProblem& problem, const Finished& mine, const Attempt& attempt, const Outputs& outputs) {
+// The deformed gap at all points of the rows, by one product that all make together, and its mean.
+void write_gap(const GridProblem& problem, Finished& mine, const Attempt& attempt, const Outputs& outputs) {
   std::vector<double> p;
   problem.rows().on_all([&] {
     p.resize(static_cast<std::size_t>(problem.own_points()));
     mine.pressures.write(p.data(), problem.own_points(), problem.team());
   });
   Answer by;
-  const Deflected found = deflection(problem, {problem.own_points(), {}}, std::move(p), by, attempt);
+  Deflected found = deflection(problem, {problem.own_points(), {}}, std::move(p), by, attempt);
   const double compression = mine.numbers.approach - problem.surface.lowest();
   write_arrays(problem, found, compression, outputs);
-  return mean_gap(problem, survey(problem.surface, compression, found), mine.numbers.totals.overlap);
+  mine.numbers.mean_gap = mean_gap(problem, survey(problem.surface, compression, found), mine.numbers.totals.overlap);
+  if (problem.keeps_deflection()) mine.deflection = std::move(found.product);
 }
 
 }  // namespace
@@ -91,6 +92,7 @@ std::optional<Finished> sparse_by_rows(const GridProblem& problem, const Target&
     all->facts.tilt = tilt;
     if (problem.system.periodic()) all->operators().multiply_by(problem.operators());
     all->surface = StepSurface(problem.surface, problem.team());
+    all->compliance = problem.compliance;
     Memory known;
     if (sparse(contacts)) known.last = gathered(last, problem);
     if (older_sparse) known.before = gathered(start.before(), problem);
@@ -119,8 +121,8 @@ std::optional<Finished> sparse_by_rows(const GridProblem& problem, const Target&
           mine.overlap.depth.push_back(overlap.depth[k]);
         });
   });
-  if (outputs.gap.wanted())
-    mine.numbers.mean_gap = write_gap(problem, mine, attempt, outputs);
+  if (outputs.gap.wanted() || problem.keeps_deflection())
+    write_gap(problem, mine, attempt, outputs);
   else
     mine.pressures.write(outputs.p, problem.own_points(), problem.team());
   return mine;

@@ -14,18 +14,18 @@ namespace rc {
 class Indentation {
  public:
   Indentation() = default;
-  // depth: of earlier steps, >= 0; gap: undeformed, without it. Both [n].
+  // depth: of earlier steps, >= 0, or none; gap: undeformed, without it. Both [n].
   Indentation(std::span<const double> depth, const GapValues& gap)
       : depth_(depth.begin(), depth.end()),
         gap_(gap.visit([&](const auto* values) { return std::vector<double>(values, values + gap.size()); })) {}
 
   bool none() const { return depth_.empty(); }
-  // The given gap, without any indentation; empty if there is none.
+  // The given gap, without any indentation; empty if it is not kept.
   std::span<const double> given_gap() const { return gap_; }
 
   // The indentation after one more step with this overlap. gap: the undeformed gap without any indentation.
   Indentation with(const Overlap& overlap, const GapValues& gap) const {
-    Indentation next(none() ? std::vector<double>(gap.size(), 0.0) : depth_, none() ? gap : GapValues(gap_));
+    Indentation next(none() ? std::vector<double>(gap.size(), 0.0) : depth_, gap_.empty() ? gap : GapValues(gap_));
     overlap.add_to(next.depth_);
     return next;
   }
@@ -35,7 +35,7 @@ class Indentation {
   // The gap with the indentation.
   std::vector<double> indented() const {
     std::vector<double> sum(gap_);
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += depth_[i];
+    for (std::size_t i = 0; i < depth_.size(); ++i) sum[i] += depth_[i];
     return sum;
   }
   void write(std::span<double> to) const {
@@ -46,7 +46,7 @@ class Indentation {
   }
 
  private:
-  std::vector<double> depth_, gap_;  // [n], or empty
+  std::vector<double> depth_, gap_;  // [n], or empty; with a depth there is a gap
 };
 
 }  // namespace rc

@@ -102,8 +102,8 @@ StepSurface::StepSurface(const GivenSurface& given, const rc_team& team, const R
     fail(RC_ERR_ARGUMENT, "gap has ", whole.bad, " value(s) that are not finite, first at ", place(whole.first_bad, nx), " (",
          whole.bad_value, "); exclude them with rc_step.mask");
   range_ = {whole.included, whole.included == nx * rows.all(given.ny), whole.lowest, whole.highest};
-  if (given.summed && whole.included > 0)
-    range_.rounding = epsilon / 2 * std::max(std::abs(whole.lowest), std::abs(whole.highest));
+  if (given.roundings > 0 && whole.included > 0)
+    range_.rounding = given.roundings * epsilon / 2 * std::max(std::abs(whole.lowest), std::abs(whole.highest));
   if (given.side > 0 && rows.shared()) rows.on_all([&] { fill_masked(given.side); });
 }
 

@@ -27,7 +27,7 @@ struct GivenSurface {
   std::span<const std::uint8_t> mask;
   bool borrowed = false;  // not copied: the arrays outlive the state
   double side = 0;        // [length] by rows: the longer one, if solvers work on it; there masked points stay unknowns
-  bool summed = false;    // the gap is a sum, of a gap and an indentation, that was rounded
+  int roundings = 0;      // of the gap, if it is a sum of a gap and what earlier steps have left
 };
 
 // The gaps of the included points, of all processes.

@@ -218,32 +218,41 @@ static void run(const scene* s, int64_t threads) {
 typedef struct watched {
   const scene* s;
   int64_t count;
+  int creeps;
 } watched;
 
 static int32_t watch(int64_t step, const rc_result* result, void* user) {
   const watched* of = user;
   double* p = all_rows(((double*)result->p.data), (size_t)of->s->nx * sizeof(double), of->count, of->s->ny);
   if (rank == 0)
-    printf("history, %s, step %d: contacts %lld, p %016llx, result %016llx\n", of->s->name, (int)step,
-           (long long)result->contacts,
+    printf("%s, %s, step %d: contacts %lld, p %016llx, result %016llx\n", of->creeps ? "creep" : "history", of->s->name,
+           (int)step, (long long)result->contacts,
            (unsigned long long)digest(p, (size_t)(of->s->nx * of->s->ny) * sizeof(double), 0xcbf29ce484222325u),
            (unsigned long long)digest_of(*result));
   free(p);
   return 0;
 }
 
-/* Loads that rise and fall, from one warm start to the next; with a hardness each step leaves an indentation. */
-static void history(const scene* s) {
-  enum { steps = 4 };
-  const double shares[steps] = {0.4, 0.8, 1, 0.6};
-  const rc_system system = system_of(s);
+/* Loads that rise and fall, from one warm start to the next; with a hardness each step leaves an indentation, with creep a
+ * deflection. */
+static void history(const scene* s, int creeps) {
+  enum { steps = 4, terms = 2 };
+  const double shares[steps] = {0.4, 0.8, 1, 0.6}, times[steps] = {1, 1.5, 4, 4};
+  static const double ratio[terms] = {0.6, 1.5}, relaxing[terms] = {0.5, 7};
+  rc_system system = system_of(s);
   rc_contact* contact = NULL;
+  double approach[steps];
+  if (creeps) {
+    system.creep_terms = terms;
+    system.creep_ratio = RC_IN(ratio);
+    system.creep_time = RC_IN(relaxing);
+  }
   double targets[steps], loads[steps], stiffness[steps], mean_gap[steps], energy[steps];
   double lower[steps], upper[steps], less[steps], more[steps];
   int64_t first = 0, count = 0;
   rc_ranks_rows(&exchange, &system, &first, &count);
   const rows r = rows_of(s, first, count);
-  watched of = {s, count};
+  watched of = {s, count, creeps};
   for (int i = 0; i < steps; ++i) targets[i] = shares[i] * s->target;
   rc_history path = RC_HISTORY_INIT;
   path.control = s->control;
@@ -251,7 +260,9 @@ static void history(const scene* s) {
   path.targets = RC_IN(targets);
   path.undeformed_gap = RC_IN(r.gap);
   path.mask = RC_IN(s->mask == whole ? NULL : r.mask);
+  path.times = RC_IN(times);
   path.columns.load = RC_OUT(loads);
+  path.columns.approach = RC_OUT(approach);
   path.columns.mean_gap = RC_OUT(mean_gap);
   path.columns.energy = RC_OUT(energy);
   path.columns.stiffness = RC_OUT(stiffness);
@@ -274,6 +285,16 @@ static void history(const scene* s) {
     check(s->hardness == 0 || (less[i] <= stiffness[i] && stiffness[i] <= more[i]), s->name, "interval of the stiffness");
   }
   rc_contact_destroy(contact);
+  if (creeps && ranks == 1) { /* on other numbers of ranks the digests are the same */
+    double alone[steps];
+    path.columns = (rc_columns){.approach = RC_OUT(alone)};
+    path.fn = NULL;
+    check(rc_contact_create(&system, NULL, &contact) == RC_OK, s->name, "create");
+    check(rc_contact_solve_history(contact, &path) == RC_OK, s->name, "history of one process");
+    for (int i = 0; i < steps; ++i)
+      check(fabs(approach[i] - alone[i]) <= 1e-6 * fabs(alone[i]), s->name, "the approach of one process that creeps");
+    rc_contact_destroy(contact);
+  }
   free_rows(r);
 }
 
@@ -372,8 +393,10 @@ int main(int argc, char** argv) {
     if (!wanted) continue;
     run(&scenes[i], threads);
     if (scenes[i].control == RC_CONTROL_LOAD && !scenes[i].single && !scenes[i].kernel &&
-        (scenes[i].nx < 200 || scenes[i].nx == 640))
-      history(&scenes[i]);
+        (scenes[i].nx < 200 || scenes[i].nx == 640)) {
+      history(&scenes[i], 0);
+      history(&scenes[i], 1);
+    }
   }
   for (int changed = 0; changed < ranks && argc < 3; ++changed) one_rank_violates(changed);
   if (argc < 3) an_iteration_makes_three_sums();

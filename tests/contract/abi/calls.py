@@ -35,7 +35,8 @@ MAY_BE_NULL = {
     'lower': 'rc_conductance rc_punch_stiffness', 'upper': 'rc_conductance rc_punch_stiffness',
     'path': 'rc_law_open', 'request': 'rc_request_remark_count', 'q': '', 'psd': '', 'modes': '',
     'spec': 'rc_surface_read rc_surface_read_memory', 'name': 'rc_surface_read_memory', 'out_mask': '',
-    'spikes': '', 'largest': '', 'missing': '', 'budget': 'rc_budget_quantity_count rc_budget_source_count',
+    'time': 'rc_contact_creep', 'spikes': '', 'largest': '', 'missing': '',
+    'budget': 'rc_budget_quantity_count rc_budget_source_count',
 }
 MAY_NOT = 'rc_options_copy rc_contact_set_options rc_request_options'  # be without options
 TEXTS = {'key': b'tol', 'solver': b'nnls', 'inner': b'nnls', 'backend': b'dense', 'kernel': b'love', 'name': b'nm', 'text': b'0.01'}

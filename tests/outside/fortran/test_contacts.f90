@@ -42,6 +42,7 @@ program test_contacts
   call paths()
   call restored()
   call hard()
+  call creeping()
   call batches()
   call derivatives()
   call finish()
@@ -293,6 +294,55 @@ contains
     call rcf_contact_restore(contact, gap, p_first, first%approach, first%load, indentation=-left - 1, stat=stat)
     call check('a negative indentation', stat == RC_ERR_ARGUMENT)
     call rcf_contact_destroy(contact)
+    call rcf_options_destroy(options)
+  end subroutine
+
+  ! Bodies that creep: steps and histories are the same, the memory goes on in a new contact.
+  subroutine creeping()
+    type(rcf_contact) :: contact
+    type(rc_system) :: rubber
+    type(c_ptr) :: options
+    type(rc_result) :: first, second, again
+    real(c_double), target :: ratio(2) = [0.5_c_double, 1.0_c_double], tau(2) = [1.0_c_double, 10.0_c_double]
+    real(c_double) :: p_first(nx, ny), p_second(nx, ny), time, load(3), batched(3, 1)
+    real(c_double) :: approaches(3) = 0.4_c_double, times(3) = [1.0_c_double, 2.0_c_double, 20.0_c_double]
+    real(c_double), allocatable :: left(:, :, :), restored_left(:, :, :)
+    rubber = system
+    rubber%creep_terms = 2
+    rubber%creep_ratio%data = c_loc(ratio)
+    rubber%creep_time%data = c_loc(tau)
+    call rcf_options_create(options)
+    call rcf_options_set(options, RC_OPT_RESUMABLE, 1)
+    call rcf_contact_create(contact, rubber, options)
+    call rcf_contact_solve(contact, approach=0.4_c_double, time=1.0_c_double, undeformed_gap=gap, p=p_first, result=first)
+    call rcf_contact_creep(contact, left, time)
+    call check('the memory', time == 1 .and. all(shape(left) == [nx, ny, 3]) .and. maxval(left(:, :, 1)) > 0 &
+      .and. all(left(:, :, 2:) == 0))
+    call rcf_contact_solve(contact, approach=0.4_c_double, time=2.0_c_double, p=p_second, result=second)
+    call check('it relaxes', second%load < 0.9 * first%load)
+    call rcf_contact_solve(contact, approach=0.4_c_double, time=1.0_c_double, stat=stat)
+    call check('a time that goes back', stat == RC_ERR_ARGUMENT)
+    call rcf_contact_certify(contact, p_second, approach=0.4_c_double, time=2.0_c_double, stat=stat)
+    call check('certified at its time', stat == RC_OK)
+    call rcf_contact_destroy(contact)
+    call rcf_contact_create(contact, rubber, options)
+    call rcf_contact_restore(contact, gap, p_first, first%approach, first%load, creep=left, time=time)
+    call rcf_contact_creep(contact, restored_left)
+    call rcf_contact_solve(contact, approach=0.4_c_double, time=2.0_c_double, p=p, result=again)
+    call check('creep restored', all(restored_left == left) .and. all(p == p_second) .and. again%load == second%load)
+    call rcf_contact_restore(contact, gap, p_first, first%approach, first%load, stat=stat)
+    call check('a restart without the memory', stat == RC_ERR_ARGUMENT)
+    call rcf_contact_restore(contact, gap, p_first, first%approach, first%load, creep=left(:, :, :2), time=time, stat=stat)
+    call check('a memory that is too short', stat == RC_ERR_SHAPE)
+    call rcf_contact_reset(contact)
+    call rcf_contact_solve_history(contact, approaches=approaches, times=times, undeformed_gap=gap, load=load)
+    call check('a history', load(1) == first%load .and. load(2) == second%load .and. load(3) < load(2))
+    call rcf_contact_solve_history(contact, approaches=approaches, times=times(:2), undeformed_gap=gap, stat=stat)
+    call check('too few times', stat == RC_ERR_SHAPE)
+    call rcf_contact_destroy(contact)
+    call rcf_batch_solve(rubber, reshape(gap, [nx, ny, 1]), approaches=reshape(approaches, [3, 1]), &
+      times=reshape(times, [3, 1]), load=batched, options=options)
+    call check('a batch', all(batched(:, 1) == load))
     call rcf_options_destroy(options)
   end subroutine
 

@@ -1,0 +1,57 @@
+"""Bodies that creep: the terms of their compliance or of their modulus, and the times of steps."""
+
+from __future__ import annotations
+
+from typing import Any, Optional, Sequence, Tuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _constants
+from ._arrays import Doubles, Shape, as_doubles, given
+from ._errors import ArgumentError
+from ._structs import rc_system
+
+Terms = Sequence[Tuple[float, float]]  # pairs (ratio, time)
+
+
+def give_creep(system: rc_system, creep: Optional[Terms], relaxation: Optional[Terms]) -> None:
+    """Completes the C struct, which keeps the arrays."""
+    if creep is not None and relaxation is not None:
+        raise ArgumentError("creep and relaxation are both given; they say the same in two ways, give one")
+    name, terms = ("creep", creep) if relaxation is None else ("relaxation", relaxation)
+    if terms is None:
+        return
+    pairs = as_doubles(terms, name)
+    if pairs.ndim != 2 or pairs.shape[1] != 2:
+        raise ArgumentError(f"{name} has shape {pairs.shape}; pairs are needed: [(ratio, time), ...]")
+    ratio, time = np.ascontiguousarray(pairs.T)
+    by = _constants.RC_CREEP_COMPLIANCES if relaxation is None else _constants.RC_CREEP_MODULI
+    given(system, creep_by=by, creep_terms=len(pairs), creep_ratio=ratio, creep_time=time)
+
+
+def let_creep(system: Any, creep: Optional[Terms], relaxation: Optional[Terms], given_by_caller: bool) -> None:
+    """Lets a system that a call has made creep."""
+    if creep is None and relaxation is None:
+        return
+    if given_by_caller:
+        raise ArgumentError(f"{'relaxation' if creep is None else 'creep'} and system are both given; it belongs to the system")
+    system.creep, system.relaxation = creep, relaxation
+
+
+def time_for(system: Any, time: Optional[float]) -> Optional[float]:
+    """The time of one step; None: none is needed."""
+    times = times_for(system, None if time is None else [time], (1,))
+    return None if times is None else float(times[0])
+
+
+def times_for(system: Any, time: Optional[ArrayLike], shape: Shape) -> Optional[Doubles]:
+    """The times of steps; None: none are needed. shape: of the targets, to which times of one history are repeated."""
+    if time is None:
+        if system.creep is not None or system.relaxation is not None:
+            raise ArgumentError("time is missing: the bodies creep, so that each step needs its time")
+        return None
+    times = as_doubles(time, "time")
+    if times.shape != shape and times.shape != shape[-1:]:
+        raise ArgumentError(f"time has shape {times.shape}, the steps {shape}: one time for each step is needed")
+    return np.ascontiguousarray(np.broadcast_to(times, shape))
