@@ -10,6 +10,7 @@ from statistics import fmean, linear_regression, stdev
 import numpy as np
 
 import published_forms as forms
+import published_leak as leaks
 import published_rough as rough
 import published_slip as slips
 from charts import OPEN_MARKERS, PROPORTIONAL, Panels, STYLES, axes, style
@@ -49,6 +50,8 @@ CHALLENGE = ('p / (E* slope)={pressure:g}; p [kPa]={kilopascals:g}; surface={see
 MIRCO = 'input={file}; theirs={theirs:.6e}; ours={ours:.6e}; difference={difference:+.1e}; tolerance of theirs={tolerance:g}'
 SLIP = ("Poisson's ratio={nu:g}; surfaces={surfaces}; shear force, model over vector problem [%]={mean:%+.2f}; largest [%]={most:%.2f}; "
         'field of shears, largest [%]={field:%.0f}')
+LEAK = ('H={hurst:g}; p / (E* slope)={pressure:g}; surfaces={surfaces}; area={area:.3f}; conductivity over mean gap cubed, ours={ours:.4f}; '
+        'proven to within={width:err}; effective medium={medium:.4f}; ours over it={ratio:.2f}')
 SUMMARY = 'published result={name}; source={source}; theirs={theirs}; ours={ours}; part={part}; where they differ={why}'
 
 
@@ -143,8 +146,21 @@ def measure_slip(request, store):
         measure(store, 'slip', key, lambda: slips.model_errors(request.slip_points, seed, key['hurst'], 0.05))
 
 
+def measure_leak(request, store):
+    if not leaks.available():
+        return
+    n = request.leak_points
+    for seed, hurst in itertools.product(range(1, request.seeds + 1), rough.HURSTS):
+        pressed = None
+        for pressure in leaks.PRESSURES:
+            key = {'hurst': hurst, 'seed': seed, 'n': n, 'pressure': pressure}
+            if not store.measured('leak', key):
+                pressed = pressed or rough.Pressed(n, seed, hurst, n // 64, n // 16, options(request))
+            measure(store, 'leak', key, lambda: leaks.conducted(pressed, pressure))
+
+
 PARTS = {'forms': measure_forms, 'mirco': measure_mirco, 'crossing': measure_crossing, 'breadth': measure_breadth, 'gfmd': measure_atlas,
-         'challenge': measure_challenge, 'slip': measure_slip}
+         'challenge': measure_challenge, 'slip': measure_slip, 'leak': measure_leak}
 
 
 def run(request):
@@ -243,12 +259,19 @@ def slip_rows(document):
                'field': max(field for row in rows for field in row['field'][at])}
 
 
+def leak_rows(document):
+    for (hurst, pressure), rows in groups(document.get('leak', []), 'hurst', 'pressure').items():
+        mean = {name: fmean(row[name] for row in rows) for name in ('area', 'ours', 'medium')}
+        yield {'hurst': hurst, 'pressure': pressure, 'surfaces': len(rows), **mean, 'ratio': mean['ours'] / mean['medium'],
+               'width': max(row['width'] for row in rows)}
+
+
 def tables(document):
     found = {'forms': (FORMS, list(form_rows(document))), 'waves': (WAVES, document.get('waves', [])),
              'spheres': (SPHERES, document.get('spheres', [])), 'crossing': (CROSSING, list(crossing_rows(document))),
              'breadth': (BREADTH.replace('{columns}', BREADTH_COLUMNS), list(breadth_rows(document))), 'gfmd': (ATLAS, list(atlas_rows(document))),
              'challenge': (CHALLENGE, challenge_rows(document)), 'mirco': (MIRCO, document.get('mirco', [])),
-             'slip': (SLIP, list(slip_rows(document)))}
+             'slip': (SLIP, list(slip_rows(document))), 'leak': (LEAK, list(leak_rows(document)))}
     return {name: (columns, rows) for name, (columns, rows) in found.items() if rows}
 
 
@@ -293,6 +316,11 @@ def summary(document):
         add('slip', 'shear force of a rough surface in partial slip, from its normal contact alone', 'Ciavarella 1998, Jäger 1998', 'exact at ν = 0',
             f'within {100 * exact["most"]:.0e} % at ν = 0, ' + ', '.join(f'{100 * row["most"]:.1f} % at {row["nu"]:g}' for row in others),
             'the model has one stiffness for all directions; these samples differ by direction')
+    if 'leak' in rows:
+        light, *_, heavy = sorted(rows['leak'], key=lambda row: row['area'])
+        add('leak', 'flow through the gap between isotropic surfaces, from the distribution of gaps alone', 'effective medium, Bruggeman 1935',
+            'closed form', ', '.join(f'{row["ratio"]:.2f} of it at an area of {row["area"]:.2f}' for row in (light, heavy)),
+            'the medium conducts up to half of the area, gaps close near 0.4')
     for row in rows.get('forms', ()):
         add('forms', row['title'], row['source'], f'closed form of the {row["quantity"]}', f'error {row["fine_error"]:.0e} on {row["fine"]}²',
             f'cells: order {row["order"]:.1f}' if row['order'] else '')
@@ -388,7 +416,7 @@ def slip_picture(document, file):
 def sections(results):
     document = load(results, 'published')
     found = tables(document)
-    names = 'forms', 'waves', 'spheres', 'crossing', 'breadth', 'gfmd', 'challenge', 'mirco', 'slip'
+    names = 'forms', 'waves', 'spheres', 'crossing', 'breadth', 'gfmd', 'challenge', 'mirco', 'slip', 'leak'
     made = {name: records(*found[name]) if name in found else missing(f'roughcontact-bench published {name}') for name in names}
     return {'summary': records(SUMMARY, summary(document)), **made, 'provenance': provenance(document)}
 
@@ -411,7 +439,8 @@ question('published', 'published numbers beside those of the library', run, {
     'seeds': (ranged(int, 1, 100), 3, 'surfaces of a kind'), 'crossing_seeds': (ranged(int, 1, 1000), 20, 'surfaces whose gap closes'),
     'challenge_points': (listed(side), [2048, 4096, 8192], 'points per side, challenge'),
     'challenge_seeds': (ranged(int, 1, 100), 2, 'surfaces of the challenge'),
-    'slip_points': (side, 128, 'points per side, slip'), 'slip_seeds': (ranged(int, 1, 100), 20, 'surfaces that slip'), 'tol': (float, 1e-6, 'certified tolerance'), **ALL_THREADS},
+    'slip_points': (side, 128, 'points per side, slip'), 'slip_seeds': (ranged(int, 1, 100), 20, 'surfaces that slip'),
+    'leak_points': (side, 512, 'points per side, leak'), 'tol': (float, 1e-6, 'certified tolerance'), **ALL_THREADS},
     {'form_points': [64, 128], 'points': 128, 'atlas_points': 512, 'seeds': 2, 'crossing_seeds': 3, 'challenge_points': [256, 512],
-     'challenge_seeds': 1, 'slip_points': 32, 'slip_seeds': 2},
+     'challenge_seeds': 1, 'slip_points': 32, 'slip_seeds': 2, 'leak_points': 64},
     'small grids and few surfaces, under a minute', names=tuple(PARTS))

@@ -211,9 +211,11 @@ def published(folder):
         assert all(b['area'] > a['area'] for a, b in zip(rows, rows[1:]) if a['pressure'] < b['pressure']), rows
     for row in document['slip']:  # the model is exact at nu = 0
         assert row['gap'] < 1e-7 and max(map(abs, row['force'][0])) < 1e-5 < max(map(abs, row['force'][-1])) < 0.03, row
+    for row in document.get('leak', ()):  # a medium with gaps of one height only would have 1
+        assert 0 < row['ours'] < 1 > row['medium'] > 0 and row['width'] < 0.01, row
     assert not document.get('mirco') or max(abs(row['difference']) for row in document['mirco']) < 0.015, document['mirco']
     assert run('documents', 'published', '--quick', '--threads', '1').count('measured before') == sum(
-        len(document[table]) for table in ('forms', 'waves', 'spheres', 'crossing', 'breadth', 'gfmd', 'challenge', 'distributions', 'mirco', 'slip') if table in document)
+        len(document[table]) for table in ('forms', 'waves', 'spheres', 'crossing', 'breadth', 'gfmd', 'challenge', 'distributions', 'mirco', 'slip', 'leak') if table in document)
     assert 'not reproduced' in open(os.path.join(folder, 'published.md'), encoding='utf-8').read()
     assert set(filled) >= {'summary', 'forms', 'crossing', 'gfmd', 'challenge', 'provenance'}, filled.keys()
     check_pictures(folder, *(f'published-{name}' for name in ('forms', 'crossing', 'area', 'challenge', 'slip')))
