@@ -58,6 +58,7 @@ how-to/modulus-and-units
 how-to/uncertainty
 how-to/conductance
 how-to/slip
+how-to/rubber
 how-to/seals
 how-to/flow-factors
 how-to/campaigns

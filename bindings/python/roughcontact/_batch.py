@@ -170,7 +170,12 @@ def batch(
         status, message, interrupt = interruptible(call, keep=keep)
     answer = None
     if struct.written == n:
-        ends: Dict[str, Any] = {"certified": struct.certified, "first": struct.first, "grid": grid, "assumed": problem.request.assumed()}
+        ends: Dict[str, Any] = {
+            "certified": struct.certified,
+            "first": struct.first,
+            "grid": grid,
+            "assumed": problem.request.assumed(),
+        }
         arrays: Dict[str, Any] = {**dict.fromkeys(asked), **out, **whole, "pressure": pressures}
         answer = BatchResult(status=as_status(status), message=message, statuses=statuses, **arrays, **ends)
     accepted = answer is not None and n > 0 and not check

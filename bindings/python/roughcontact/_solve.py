@@ -123,6 +123,17 @@ def history(
     let_creep(what.system, creep, relaxation, system is not None)
     with Contact(what.system, options=what.options(options), progress=progress, every=every, context=context) as contact:
         answer = history_on(
-            contact, what.needed(), what.gap, what.mask, warm_start, virgin, stiffness, keep_pressure, want_gap, each, check, time
+            contact,
+            what.needed(),
+            what.gap,
+            what.mask,
+            warm_start,
+            virgin,
+            stiffness,
+            keep_pressure,
+            want_gap,
+            each,
+            check,
+            time,
         )
     return answer._with(results=tuple(what.remarked(result) for result in answer.results))

@@ -306,7 +306,8 @@ class Contact(Handle):
 
     def creep(self) -> Tuple[Doubles, Optional[float]]:
         """(deflections, time) that certified steps have left in bodies that creep: [terms + 1, *shape], first the elastic one of the
-        last step, then of each term the delayed one, without its ratio [length]; and that step's time, None before the first."""
+        last step, then of each term the delayed one, without its ratio [length]; and that step's time, None before the first.
+        """
         terms = self.system.creep if self.system.relaxation is None else self.system.relaxation
         left, time = np.zeros((1 + len(terms or ()), *self.system.shape)), ctypes.c_double()
         with self._holding() as handle:
