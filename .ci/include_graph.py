@@ -53,8 +53,8 @@ OUTSIDE = {  # other folders: public headers they may include; besides, their ow
     'examples': PUBLIC,
     'integrations': PUBLIC,
 }
-# The files of src that folders outside src, or the law, may include: headers of grid and platform, core/text.h, and HAAR; the flow takes
-# the session with CHOLMOD of backends/cholmod.
+# The files of src that folders outside src, or the law, may include: folders or single headers of src; plugins also HAAR, the
+# flow the session with CHOLMOD of backends/cholmod.
 # The parts of haar-cg that need no other part of the library: plugins that run its iteration on a machine of their own compile them.
 HAAR = {'solvers/problem.h', 'solvers/haar_cg/iteration/iteration.h', 'solvers/haar_cg/starts.h', 'trees/tree_inputs.h', 'trees/tree_shape.h',
         'trees/algebra.inc'}

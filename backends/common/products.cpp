@@ -13,7 +13,7 @@ namespace rc_common {
 
 namespace {
 
-constexpr double most_lent = 67108864.0;  // bytes of a matrix; limits count larger ones as their operator's
+constexpr double most_lent = 67108864.0;  // bytes of a matrix that is lent; larger ones count against their operator's limit
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// Backend and solver on CUDA devices. Without a device it refuses to be used, in the driver's words.
+// The plugin's entry: it hands out the tables of backend and solver, or, without a device, refuses in the driver's words.
 #include <cuda_runtime_api.h>
 
 #include <cstdio>

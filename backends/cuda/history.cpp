@@ -45,7 +45,7 @@ bool History::write(Device& device, const Start& start) const {
   return true;
 }
 
-// No later step starts from the one before the last: its memory serves.
+// Pressures of two steps ago are not needed again: their memory is reused.
 void History::keep(Device& device, const Start& answer, std::size_t held, double limit) {
   if (!given_) return;
   auto kept = std::make_unique<Kept>(Kept{index_, answer.box, {}});

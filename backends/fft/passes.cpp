@@ -66,7 +66,7 @@ template <class L> struct First : L {
   }
 };
 
-// The first pass backward, which gives the sequences.
+// The inverse of First: it runs last and hands the sequences to the sink.
 template <class L> struct Last : L {
   using typename L::Real, typename L::V;
 
@@ -254,11 +254,13 @@ template <class L> struct ToSpectra : Exchange<L> {
   using typename L::Real, typename L::Plain;
 
   RC_FFT_INLINE static void run(const Real* scratch, const Mirrored* rows, std::int64_t waves, Real* spectra) {
+    // Part `part` of the lines from `line` on is first + sign * second, parts `of` of a wave and its mirrored one; `mirror`
+    // exchanges the two.
     struct Sum {
-      std::int64_t line, part;  // these parts of the waves of lines from `line` on are
-      bool mirror;              // the sum of the wave's, or the mirrored one's, part
-      std::int64_t of;          // `of` and
-      Real sign;                // sign times that of the other of the two
+      std::int64_t line, part;
+      bool mirror;
+      std::int64_t of;
+      Real sign;
     };
     constexpr std::int64_t im = L::columns;
     constexpr Sum sums[] = {{0, 0, false, 0, 1}, {0, im, false, im, -1}, {im, 0, false, im, 1}, {im, im, true, 0, -1}};

@@ -15,7 +15,7 @@ class LawNodes {
   // and one whose pressure is not between those of its neighbours is left out.
   void add(std::vector<LawSample> fresh);
 
-  // Node i - 1 with what holds between it and node i + 1.
+  // A copy of node i - 1 with the bounds that hold up to node i + 1, as if node i were not there.
   LawSample skipping(std::size_t i) const;
   // Leaves out node i; `before` is the one that skips it.
   void leave_out(std::size_t i, LawSample before);
