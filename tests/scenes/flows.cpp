@@ -106,6 +106,7 @@ class Leaks final : public Property {
   Verdict judge(const Case& c) const override {
     need(status_ >= 0, std::string(rc_status_name(status_)) + ": " + message_);
     need(found_.lower <= found_.flow && found_.flow <= found_.upper, "the flow is not in its interval");
+    need(found_.gap_error >= c.answers()[at_].result.gap_error, "the gap's error is less than that of the contact");
     if (c.exact(at_).worth != Worth::exact) return Verdict::undecidable;
     const auto [low, high] = truth(c);
     need(found_.lower <= high && low <= found_.upper, "the flow " + number(low) + " .. " + number(high) + " is not in " +

@@ -26,6 +26,7 @@ struct Wanted {
 struct Tally {
   std::int64_t seeds = 0, asked = 0, held = 0, undecidable = 0, spoilt = 0, noticed = 0;
   std::map<std::string, std::int64_t> not_asked;
+  std::map<std::string, std::pair<std::int64_t, std::int64_t>> by_solver;  // undecidable, asked
 };
 
 std::vector<Kind> all_kinds() {
@@ -66,6 +67,13 @@ class Driver {
       }
       if (static_cast<double>(t.undecidable) > kinds_[k].most_undecidable * static_cast<double>(t.asked)) {
         std::printf("  too many are undecidable: at most %.0f in 100 may be\n", 100 * kinds_[k].most_undecidable);
+        well = false;
+      }
+      for (const auto& [solver, counts] : t.by_solver) {
+        const auto [undecidable, asked] = counts;
+        if (asked < 40 || kinds_[k].most_undecidable > 0.01 || undecidable * 10 <= asked) continue;
+        std::printf("  too many are undecidable with %s: %lld of %lld\n", solver.c_str(), as_printed(undecidable),
+                    as_printed(asked));
         well = false;
       }
       if (t.noticed * 20 < t.spoilt * 19 || t.spoilt == 0) {
@@ -122,6 +130,9 @@ class Driver {
       ++tally.asked;
       const Verdict verdict = property->judge(c);
       ++(verdict == Verdict::held ? tally.held : tally.undecidable);
+      auto& [undecidable, asked] = tally.by_solver[c.pair().solver];
+      undecidable += verdict == Verdict::undecidable;
+      ++asked;
       if (verdict == Verdict::held) property->measure(numbers_);
       Random random(seed, 400);
       if (verdict != Verdict::held || random.below(spoilt_every) != 0 || !property->spoil(c, random)) return;
