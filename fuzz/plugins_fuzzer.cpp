@@ -58,11 +58,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::ofstream(path, std::ios::binary).write(file.data(), static_cast<std::streamsize>(file.size()));
   fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read | fs::perms::others_read);
 
-  rc_context_config config = RC_CONTEXT_CONFIG_INIT;
-  config.flags = RC_CONTEXT_NO_ENVIRONMENT;
-  config.plugin_path = folder.path.c_str();
   rc_context* context = nullptr;
-  require(rc_context_create(&config, &context) == RC_OK, "a context can be made");
+  require(rc_context_create(RC_CONTEXT_NO_ENVIRONMENT, folder.path.c_str(), nullptr, nullptr, &context) == RC_OK,
+          "a context can be made");
   rc_options* options = nullptr;
   require(rc_options_create(context, &options) == RC_OK, "options can be made");
   require(rc_options_set_text(options, RC_OPT_BACKEND, "x") == RC_OK, "a name is taken");

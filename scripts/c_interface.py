@@ -17,6 +17,7 @@ SCALARS = {
     "rc_options_get_number": "out",
     "rc_contact_points": "n",
     "rc_contact_creep": "time",
+    "rc_crossing_find": "contact gap",
     "rc_conductance": "conductance lower upper",
     "rc_punch_stiffness": "stiffness lower upper",
     "rc_law_pressure": "p slope energy",
@@ -30,7 +31,7 @@ SCALARS = {
 OPTIONAL = {
     "rc_version": "major minor patch abi",
     **dict.fromkeys(("rc_stop_when", "rc_surface_stop_when", "rc_flow_stop_when"), "flag"),
-    "rc_context_create": "config",
+    "rc_context_create": "plugin_path",
     "rc_conductance": "lower upper",
     "rc_punch_stiffness": "lower upper",
     "rc_law_pressure": "slope energy",
@@ -217,7 +218,7 @@ def grouped(pairs: Iterable[Tuple[Any, str]]) -> List[Tuple[Any, List[str]]]:
     return groups
 
 
-def alike(functions: Dict[str, Function]) -> List[List[str]]:
+def same_prototypes(functions: Dict[str, Function]) -> List[List[str]]:
     """[[name, ...]] of functions that have the same result and arguments, by the first of each."""
     groups: Dict[str, List[str]] = {}
     for name, function in functions.items():

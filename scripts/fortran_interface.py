@@ -4,7 +4,7 @@ import collections
 import re
 from typing import List, Tuple
 
-from c_interface import OPTIONAL, SCALARS, Function, Interface, Struct, Type, alike, grouped, struct_size
+from c_interface import OPTIONAL, SCALARS, Function, Interface, Struct, Type, same_prototypes, grouped, struct_size
 
 WIDTH = 132  # the longest line
 
@@ -98,7 +98,7 @@ def fortran_functions(interface: Interface) -> List[str]:
     given = {f"{struct.name}_init" for struct in interface.structs() if struct.initial}  # by the type itself
     functions = {name: function for name, function in interface.functions.items() if name not in given}
     lines = ["", "  interface"]
-    for name, *_ in alike(functions):
+    for name, *_ in same_prototypes(functions):
         function = interface.functions[name]
         pointer = function.result.stars
         result = (
@@ -114,7 +114,7 @@ def fortran_functions(interface: Interface) -> List[str]:
         lines.append(f"    end {result.split()[-1]}")
     lines.append("  end interface")
     return lines + [
-        f"  procedure({first}), bind(c) :: {', '.join(others)}" for first, *others in alike(functions) if others
+        f"  procedure({first}), bind(c) :: {', '.join(others)}" for first, *others in same_prototypes(functions) if others
     ]
 
 

@@ -3,7 +3,7 @@
 import re
 from typing import Dict, Iterable, List, Sequence, Tuple
 
-from c_interface import Function, Interface, Struct, Type, alike, grouped
+from c_interface import Function, Interface, Struct, Type, same_prototypes, grouped
 
 WIDTH = 128  # the longest line
 
@@ -84,7 +84,7 @@ def python_functions(libraries: Dict[str, Tuple[str, Interface, Dict[str, Functi
     signatures, classes = [f"{name} = Annotated[Any, {kind}]" for kind, name in ARRAYS.items()], []
     for title, (summary, interface, functions) in libraries.items():
         classes += ["", "", f"class {title}(Protocol):", f'    """{summary}"""', ""]
-        for names in alike(functions):
+        for names in same_prototypes(functions):
             function = functions[names[0]]
             arguments = ", ".join(python_argument(kind, interface) for _, kind in function.arguments)
             signature = f"Callable[[{arguments}], {python_type(function.result, interface)}]"

@@ -22,11 +22,8 @@ std::string_view without_function(std::string_view message) {
 }  // namespace
 
 Context::Context() {
-  rc_context_config config = RC_CONTEXT_CONFIG_INIT;
-  config.log = log;
-  config.log_user = this;
   rc_context* context = nullptr;
-  check(rc_context_create(&config, &context), "");
+  check(rc_context_create(0, nullptr, log, this, &context), "");
   handle_.reset(context);
 }
 

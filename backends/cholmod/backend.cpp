@@ -7,22 +7,11 @@ namespace rc_cholmod {
 
 namespace {
 
-const rc_option_spec memory_limit = {.struct_size = sizeof(rc_option_spec),
-                                     .key = memory_limit_key,
-                                     .default_value = "8192",
-                                     .help = "most memory for a factor while it is made [MiB]",
-                                     .type = RC_TYPE_REAL,
-                                     .fixed = 1,
-                                     .minimum = 1.0,
-                                     .maximum = 1e9};
-const rc_option_spec near_field = {.struct_size = sizeof(rc_option_spec),
-                                   .key = near_field_key,
-                                   .default_value = "0",
-                                   .help = "0: factor all entries; else: iterate, and factor those up to so many cells apart",
-                                   .type = RC_TYPE_REAL,
-                                   .fixed = 1,
-                                   .maximum = 1e6};
-const rc_option_spec* const options[] = {&memory_limit, &near_field};
+constexpr rc_component memory_limit =
+    roughcontact::real_option(memory_limit_key, "8192", 1, 1e9, "most memory for a factor while it is made [MiB]", true);
+constexpr rc_component near_field = roughcontact::real_option(
+    near_field_key, "0", 0, 1e6, "0: factor all entries; else: iterate, and factor those up to so many cells apart", true);
+constexpr const rc_component* options[] = {&memory_limit, &near_field};
 constexpr rc_backend backend = roughcontact::backend<Operator>(
     "Cholesky factors by SuiteSparse, of all entries with rows added and deleted or of the near field",
     "GPL-2.0-or-later AND LGPL-2.1-or-later AND MPL-2.0 AND BSD-3-Clause",

@@ -11,23 +11,11 @@ namespace {
 
 constexpr char license[] = "BSD-3-Clause";
 
-const rc_option_spec index = {.struct_size = sizeof(rc_option_spec),
-                              .key = names::index,
-                              .default_value = "0",
-                              .help = "number of the device, as the driver counts them",
-                              .type = RC_TYPE_INT,
-                              .fixed = 1,
-                              .minimum = 0,
-                              .maximum = 1023};
-const rc_option_spec memory_limit = {.struct_size = sizeof(rc_option_spec),
-                                     .key = names::memory_limit,
-                                     .default_value = "1048576",
-                                     .help = "memory on the device that a contact may take [MiB]",
-                                     .type = RC_TYPE_REAL,
-                                     .fixed = 1,
-                                     .minimum = 0,
-                                     .maximum = 1e12};
-const rc_option_spec* const options[] = {&index, &memory_limit};
+constexpr rc_component index =
+    roughcontact::int_option(names::index, "0", 0, 1023, "number of the device, as the driver counts them", true);
+constexpr rc_component memory_limit = roughcontact::real_option(names::memory_limit, "1048576", 0, 1e12,
+                                                                "memory on the device that a contact may take [MiB]", true);
+constexpr const rc_component* options[] = {&index, &memory_limit};
 
 constexpr rc_backend backend = roughcontact::backend<Operator>("fast Fourier transforms on a CUDA device", license,
                                                                RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_THREAD_INVARIANT, options);

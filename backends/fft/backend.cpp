@@ -7,17 +7,12 @@ namespace rc_fft {
 
 namespace {
 
-const rc_option_spec precision = {
-    .struct_size = sizeof(rc_option_spec),
-    .key = "fft.precision",
-    .default_value = "auto",
-    .choices = "auto|mixed|single",
-    .help =
-        "single: half the memory for transforms, errors of products up to 5e-7 of their largest entry; "
-        "only for tol of 1e-5 and above. auto: single if option accuracy allows it, else mixed",
-    .type = RC_TYPE_TEXT,
-    .fixed = 1};
-const rc_option_spec* const options[] = {&precision};
+constexpr rc_component precision =
+    roughcontact::text_option("fft.precision", "auto", "auto|mixed|single",
+                              "single: half the memory for transforms, errors of products up to 5e-7 of their largest entry; "
+                              "only for tol of 1e-5 and above. auto: single if option accuracy allows it, else mixed",
+                              true);
+constexpr const rc_component* options[] = {&precision};
 constexpr rc_backend backend = roughcontact::backend<HalfSpace>(
     "fast Fourier transforms on the box of the points that may carry pressure", "BSD-3-Clause",
     RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_SEMI_PERIODIC | RC_CAP_ROWS | RC_CAP_THREAD_INVARIANT, options);

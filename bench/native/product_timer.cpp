@@ -54,7 +54,8 @@ extern "C" {
 const char* bench_time_products(const rc_system* system, const double* gap, double approach, const char* backend,
                                 std::int64_t threads, double budget, std::int64_t single, double* y, double* seconds) {
   return guarded([&] {
-    const auto context = made<rc_context, rc_context_destroy>([](auto** out) { return rc_context_create(nullptr, out); });
+    const auto context =
+        made<rc_context, rc_context_destroy>([](auto** out) { return rc_context_create(0, nullptr, nullptr, nullptr, out); });
     check(rc_context_register(context.get(), &plugin));
     const auto options = made<rc_options, rc_options_destroy>([&](auto** out) { return rc_options_create(context.get(), out); });
     check(rc_options_set_text(options.get(), RC_OPT_SOLVER, timer.name));

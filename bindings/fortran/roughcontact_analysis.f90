@@ -108,18 +108,19 @@ contains
     call rcf_check(status, stat, errmsg)
   end subroutine
 
-  ! Whether contact and gap reach across along x and y: members of crossing are 1 or 0.
-  subroutine rcf_crossing_find(p, boundary, crossing, mask, stat, errmsg)
+  ! Along which axes contact and gap reach across: sums of RC_CROSSES_...
+  subroutine rcf_crossing_find(p, boundary, contact, gap, mask, stat, errmsg)
     real(c_double), intent(in), target, contiguous :: p(:, :)
     integer(c_int32_t), intent(in) :: boundary
-    type(rc_crossing), intent(out) :: crossing
+    integer(c_int32_t), intent(inout) :: contact, gap
     logical, intent(in), optional :: mask(:, :)
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     integer(c_int8_t), allocatable, target :: bytes(:, :)
     type(rc_const_array) :: there
     if (.not. mask_fits('rcf_crossing_find', p, mask, bytes, there, stat, errmsg)) return
-    call rcf_check(rc_crossing_find(grid(p, 1.0_c_double, 1.0_c_double, boundary), rcf_in(p), there, crossing), stat, errmsg)
+    call rcf_check(rc_crossing_find(grid(p, 1.0_c_double, 1.0_c_double, boundary), rcf_in(p), there, contact, gap), &
+      stat, errmsg)
   end subroutine
 
   ! Electrical or thermal conductance of a contact of half-spaces, and the interval it lies in. result: with option stiffness 1

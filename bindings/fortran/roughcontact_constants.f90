@@ -18,6 +18,7 @@ module roughcontact_constants
   integer(c_int32_t), parameter :: RC_CONTROL_APPROACH = 1, RC_CONTROL_LOAD = 2, RC_CONTROL_AREA = 4, RC_CONTROL_PRESSURE = 8
   integer(c_int32_t), parameter :: RC_CREEP_COMPLIANCES = 0, RC_CREEP_MODULI = 1
   integer(c_int32_t), parameter :: RC_BATCH_SHARED = -1
+  integer(c_int32_t), parameter :: RC_CROSSES_NONE = 0, RC_CROSSES_X = 1, RC_CROSSES_Y = 2
   integer(c_int32_t), parameter :: RC_LAW_BULK_AUTO = 0, RC_LAW_BULK_NONE = 1, RC_LAW_BULK_GIVEN = 2, RC_LAW_BULK_MEAN = 3
   integer(c_int32_t), parameter :: RC_LAW_CONVEX = 1, RC_LAW_SLOPES = 2, RC_LAW_MONOTONE = 3
   integer(c_int32_t), parameter :: RC_LAW_CSV = 1, RC_LAW_CALCULIX = 2, RC_LAW_ABAQUS = 3, RC_LAW_MOOSE = 4, RC_LAW_TABLE = 5

@@ -179,10 +179,10 @@ module roughcontact_functions
       type(rc_const_array), value :: p, mask
       type(rc_histogram), intent(inout) :: out
     end function
-    integer(rc_status) function rc_crossing_find(system, p, mask, out) bind(c); import
+    integer(rc_status) function rc_crossing_find(system, p, mask, contact, gap) bind(c); import
       type(rc_system), intent(in) :: system
       type(rc_const_array), value :: p, mask
-      type(rc_crossing), intent(inout) :: out
+      integer(c_int32_t), intent(inout) :: contact, gap
     end function
     integer(rc_status) function rc_conductance(system, result, rho1, rho2, conductance, lower, upper) bind(c); import
       type(rc_system), intent(in) :: system
@@ -214,7 +214,7 @@ module roughcontact_functions
     integer(rc_status) function rc_law_describe_node(law, i, out) bind(c); import
       type(c_ptr), value :: law
       integer(c_int64_t), value :: i
-      type(rc_law_node), intent(inout) :: out
+      type(rc_law_point), intent(inout) :: out
     end function
     integer(rc_status) function rc_law_pressure(law, x, p, slope, energy) bind(c); import
       type(c_ptr), value :: law
@@ -272,8 +272,11 @@ module roughcontact_functions
       character(kind=c_char), intent(in) :: name(*), path(*)
       type(c_ptr), intent(inout) :: out
     end function
-    integer(rc_status) function rc_context_create(config, out) bind(c); import
-      type(rc_context_config), intent(in), optional :: config
+    integer(rc_status) function rc_context_create(flags, plugin_path, log, log_user, out) bind(c); import
+      integer(c_int32_t), value :: flags
+      character(kind=c_char), intent(in), optional :: plugin_path(*)
+      type(c_funptr), value :: log
+      type(c_ptr), value :: log_user
       type(c_ptr), intent(inout) :: out
     end function
     subroutine rc_context_destroy(context) bind(c); import

@@ -49,22 +49,21 @@ contains
     type(c_ptr), intent(in), optional :: user
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    type(rc_context_config) :: config
-    character(:, kind=c_char), allocatable, target :: path
+    character(:, kind=c_char), allocatable :: path ! absent in C where it is not allocated
+    type(c_funptr) :: called
+    integer(c_int32_t) :: flags
     context = c_null_ptr
+    flags = 0
     if (present(plugins)) then
-      if (.not. plugins) config%flags = ior(config%flags, RC_CONTEXT_NO_PLUGINS)
+      if (.not. plugins) flags = ior(flags, RC_CONTEXT_NO_PLUGINS)
     end if
     if (present(environment)) then
-      if (.not. environment) config%flags = ior(config%flags, RC_CONTEXT_NO_ENVIRONMENT)
+      if (.not. environment) flags = ior(flags, RC_CONTEXT_NO_ENVIRONMENT)
     end if
-    if (present(plugin_path)) then
-      path = rc_to_c(plugin_path)
-      config%plugin_path = c_loc(path)
-    end if
-    if (present(log)) config%log = log
-    config%log_user = rcf_or_null(user)
-    call rcf_check(rc_context_create(config, context), stat, errmsg)
+    if (present(plugin_path)) path = rc_to_c(plugin_path)
+    called = c_null_funptr
+    if (present(log)) called = log
+    call rcf_check(rc_context_create(flags, path, called, rcf_or_null(user), context), stat, errmsg)
   end subroutine
 
   subroutine rcf_context_destroy(context)

@@ -184,11 +184,6 @@ module roughcontact_structs
     real(c_double) :: mean_pressure = 0, max_pressure = 0
   end type
 
-  type, bind(c) :: rc_crossing
-    integer(c_size_t) :: struct_size = merge(24, 20, c_intptr_t == 8)
-    integer(c_int32_t) :: contact_x = 0, contact_y = 0, gap_x = 0, gap_y = 0
-  end type
-
   type, bind(c) :: rc_law_spec
     integer(c_size_t) :: struct_size = merge(136, 108, c_intptr_t == 8)
     type(rc_const_array) :: undeformed_gap = rc_const_array(), mask = rc_const_array()
@@ -209,17 +204,12 @@ module roughcontact_structs
       bulk_stiffness = 0, mean_gap = 0, x_lower = 0, x_upper = 0, p_lower = 0, p_upper = 0
   end type
 
-  type, bind(c) :: rc_law_node
-    integer(c_size_t) :: struct_size = merge(120, 116, c_intptr_t == 8)
-    real(c_double) :: x = 0, p = 0, p_lower = 0, p_upper = 0, slope = 0, slope_lower = 0, slope_upper = 0, energy = 0, &
-      area_fraction = 0, area_lower = 0, area_upper = 0, between_lower = 0, between_upper = 0
-    integer(c_int32_t) :: bounds = 0, reserved = 0
-  end type
-
   type, bind(c) :: rc_law_point
-    integer(c_size_t) :: struct_size = merge(104, 100, c_intptr_t == 8)
-    real(c_double) :: x = 0, p = 0, p_lower = 0, p_upper = 0, slope = 0, energy = 0, area_fraction = 0, area_lower = 0, &
-      area_upper = 0, conductance = 0, conductance_lower = 0, conductance_upper = 0
+    integer(c_size_t) :: struct_size = merge(144, 140, c_intptr_t == 8)
+    real(c_double) :: x = 0, p = 0, p_lower = 0, p_upper = 0, slope = 0, slope_lower = 0, slope_upper = 0, energy = 0, &
+      area_fraction = 0, area_lower = 0, area_upper = 0, conductance = 0, conductance_lower = 0, conductance_upper = 0, &
+      between_lower = 0, between_upper = 0
+    integer(c_int32_t) :: bounds = 0, reserved = 0
   end type
 
   type, bind(c) :: rc_law_slip_state
@@ -233,14 +223,6 @@ module roughcontact_structs
     integer(c_int32_t) :: format = 0, reserved = 0
     integer(c_int64_t) :: rows = 0
     real(c_double) :: rho1 = 0, rho2 = 0, length = 0, force = 0, beyond = 0, error = 0, mu = 0, nu = 0
-  end type
-
-  type, bind(c) :: rc_context_config
-    integer(c_size_t) :: struct_size = merge(40, 24, c_intptr_t == 8)
-    integer(c_int32_t) :: flags = 0, reserved = 0
-    type(c_ptr) :: plugin_path = c_null_ptr  ! const char *
-    type(c_funptr) :: log = c_null_funptr  ! subroutine log(level, message, user) bind(c)
-    type(c_ptr) :: log_user = c_null_ptr  ! void *
   end type
 
   type, bind(c) :: rc_component

@@ -78,14 +78,9 @@ class Pairs {
   double mean_ = 0;            // periodic: what the zero mode adds to every coefficient
 };
 
-const rc_option_spec parallel_from = {.struct_size = sizeof(rc_option_spec),
-                                      .key = "pairs.parallel_from",
-                                      .default_value = "100000",
-                                      .help = "pairs of points from which on a product is shared between threads",
-                                      .type = RC_TYPE_INT,
-                                      .minimum = 1,
-                                      .maximum = 1e12};
-const rc_option_spec* const options[] = {&parallel_from};
+constexpr rc_component parallel_from = roughcontact::int_option(
+    "pairs.parallel_from", "100000", 1, 1e12, "pairs of points from which on a product is shared between threads");
+constexpr const rc_component* options[] = {&parallel_from};
 
 constexpr rc_backend backend =
     roughcontact::backend<Pairs>("direct summation over pairs of points, from a table of coefficients", "BSD-3-Clause",

@@ -28,20 +28,12 @@ rc_status symbol(const rc_host* host, const rc_kernel_spec* spec, double* out) {
   });
 }
 
-constexpr rc_option_spec real_option(const char* key, const char* value, double maximum, const char* help) {
-  return {.struct_size = sizeof(rc_option_spec),
-          .key = key,
-          .default_value = value,
-          .help = help,
-          .type = RC_TYPE_REAL,
-          .minimum = 0,
-          .maximum = maximum};
-}
-
-const rc_option_spec length = real_option("graded.length", "0", 1e30,
-                                          "1/|q| of the waves that a half-space of modulus E* deflects as much [length]"),
-                     exponent = real_option("graded.exponent", "0.5", 0.99, "power of the depth by which the modulus grows");
-const rc_option_spec* const options[] = {&length, &exponent};
+constexpr rc_component length = roughcontact::real_option(
+                           "graded.length", "0", 0, 1e30,
+                           "1/|q| of the waves that a half-space of modulus E* deflects as much [length]"),
+                       exponent = roughcontact::real_option("graded.exponent", "0.5", 0, 0.99,
+                                                            "power of the depth by which the modulus grows");
+constexpr const rc_component* options[] = {&length, &exponent};
 
 const rc_kernel kernel = {.struct_size = sizeof(rc_kernel),
                           .name = "graded",

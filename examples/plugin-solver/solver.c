@@ -96,13 +96,13 @@ static rc_status score(const rc_facts* facts, rc_estimate* estimate) {
   return RC_OK;
 }
 
-static const rc_option_spec step_option = {.struct_size = sizeof(rc_option_spec),
-                                           .key = "spg.steps",
-                                           .default_value = "long",
-                                           .choices = "long|short",
-                                           .help = "which of Barzilai and Borwein's two step lengths",
-                                           .type = RC_TYPE_TEXT};
-static const rc_option_spec* const all_options[] = {&step_option};
+static const rc_component step_option = {.struct_size = sizeof(rc_component),
+                                         .name = "spg.steps",
+                                         .summary = "which of Barzilai and Borwein's two step lengths",
+                                         .default_value = "long",
+                                         .choices = "long|short",
+                                         .type = RC_TYPE_TEXT};
+static const rc_component* const all_options[] = {&step_option};
 
 static const rc_solver solver = {.struct_size = sizeof(rc_solver),
                                  .name = "spg",

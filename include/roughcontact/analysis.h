@@ -56,13 +56,8 @@ typedef struct rc_histogram {
 } rc_histogram;
 #define RC_HISTOGRAM_INIT RC_BEGIN(rc_histogram)
 
-/** Whether the contact, and the open gap, connect opposite sides of the grid, by rc_crossing_find. All members are written. */
-typedef struct rc_crossing {
-  size_t struct_size;
-  int32_t contact_x, contact_y; /* 1: a connected part of the contact connects the sides along x, along y; 0: none   */
-  int32_t gap_x, gap_y; /* the same for the points without contact: 1 if a fluid can flow along x, along y            */
-} rc_crossing;
-#define RC_CROSSING_INIT RC_BEGIN(rc_crossing)
+/* What rc_crossing_find says of the contact and of the gap: their sum is both. */
+enum { RC_CROSSES_NONE = 0, RC_CROSSES_X = 1, RC_CROSSES_Y = 2 };
 
 /** @defgroup analysis Analysis: area, patches, histogram, percolation
  *  Functions of pressures, the caller's or a result's, without handles; any thread. Of the system they use nx, ny, hx, hy and the
@@ -84,12 +79,13 @@ RC_API rc_status rc_area_measure(const rc_system *system, rc_const_array p, rc_c
 RC_API rc_status rc_patches_find(const rc_system *system, rc_const_array p, rc_const_array mask, rc_patches *out);
 /** Pressure histogram. Sums to 1 with `above`, see rc_histogram. */
 RC_API rc_status rc_histogram_fill(const rc_system *system, rc_const_array p, rc_const_array mask, rc_histogram *out);
-/** Percolation of contact and gap. A connected part crosses along an axis if it touches both sides of the grid at the ends of this
- *  axis. These two sides are never joined, whatever the boundary: they are the inlet and the outlet of a seal. The other two sides
- *  are joined if the boundary repeats along the other axis, so a channel may leave at one and come back at the other. Points are
- *  connected across edges; a masked point is neither contact nor gap. Memory: 32 bytes for each row of neighbouring cells in
- *  contact, or of those without. */
-RC_API rc_status rc_crossing_find(const rc_system *system, rc_const_array p, rc_const_array mask, rc_crossing *out);
+/** Percolation, as sums of RC_CROSSES_*: of the contact, and of the gap, the points without contact, where a fluid can flow. A
+ *  connected part crosses along an axis if it touches both sides of the grid at the ends of this axis. They are never joined,
+ *  whatever the boundary: they are the inlet and the outlet of a seal. The other two sides are joined if the boundary repeats along
+ *  the other axis, so a channel may leave at one and come back at the other. Points are connected across edges; a masked point is
+ *  neither contact nor gap. Memory: 32 bytes for each row of neighbouring cells in contact, or of those without.
+ *  Both numbers are written. */
+RC_API rc_status rc_crossing_find(const rc_system *system, rc_const_array p, rc_const_array mask, int32_t *contact, int32_t *gap);
 /** Electrical or thermal conductance of the contact between two half-spaces: 2 / (E* (rho1 + rho2)) dW/dd (Barber, Proc. R. Soc.
  *  Lond. A 459 (2003) 53). For a circular spot that is Holm's 4 radius / (rho1 + rho2). system: HALFSPACE, its modulus counts.
  *  result: of a step with option stiffness = 1 or 2, and with rc_result.homogeneous = 1: the relation holds for homogeneous

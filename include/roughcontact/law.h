@@ -96,20 +96,26 @@ typedef struct rc_law_info {
 #define RC_LAW_INFO_INIT RC_BEGIN(rc_law_info)
 RC_API rc_status rc_law_describe(const rc_law *law, rc_law_info *out);
 
-/** One node, as it was solved. The library writes every member. */
-typedef struct rc_law_node {
+/** Every quantity of a law at one overclosure: rc_law_describe_node gives a node as it was solved, rc_law_evaluate any overclosure.
+ *  The library writes every member. */
+typedef struct rc_law_point {
   size_t struct_size;
-  double x, p, p_lower, p_upper;              /* overclosure [length], nominal pressure at it                         */
-  double slope, slope_lower, slope_upper;     /* dp/dx there [force/length^3]                                         */
-  double energy;                              /* per nominal area [force/length]                                      */
-  double area_fraction, area_lower, area_upper; /* contact area over nominal area                                     */
-  double between_lower, between_upper;        /* the slope between this node and the next, or beyond the last            */
-  int32_t bounds;                             /* RC_LAW_* there                                                       */
+  double x, p, p_lower, p_upper; /* overclosure [length] and nominal pressure; the exact p of the grid lies between the bounds,
+                            under the assumption at the head of this file; p_upper is infinite beyond the last node   */
+  double slope, slope_lower, slope_upper; /* dp/dx [force/length^3]; rc_law_evaluate: bounds as between_lower and _upper, and
+                            infinite where no upper one is known                                                      */
+  double energy;         /* integral of p over x, per nominal area [force/length]                                     */
+  double area_fraction, area_lower, area_upper; /* contact area over nominal area; between nodes with RC_LAW_MONOTONE the bounds
+                            are those of both nodes, and not proven                                                   */
+  double conductance, conductance_lower, conductance_upper; /* 2 slope / E* [1/length], to be divided by rho1 + rho2; NaN if
+                            rc_law_info.modulus is 0                                                                  */
+  double between_lower, between_upper; /* bounds of dp/dx from the last node at or before x to the next, or beyond it */
+  int32_t bounds;        /* RC_LAW_* there                                                                            */
   int32_t reserved;
-} rc_law_node;
-#define RC_LAW_NODE_INIT RC_BEGIN(rc_law_node)
+} rc_law_point;
+#define RC_LAW_POINT_INIT RC_BEGIN(rc_law_point)
 /** Node i, 0 (the origin) .. rc_law_info.nodes - 1. Errors: ARGUMENT. */
-RC_API rc_status rc_law_describe_node(const rc_law *law, int64_t i, rc_law_node *out);
+RC_API rc_status rc_law_describe_node(const rc_law *law, int64_t i, rc_law_point *out);
 /** @} */
 
 /** @defgroup law_evaluation Evaluating a law
@@ -127,19 +133,7 @@ RC_API rc_status rc_law_overclosure(const rc_law *law, double p, double *x);
  *  Errors: ARGUMENT (also if rc_law_info.modulus is 0). */
 RC_API rc_status rc_law_gap_conductance(const rc_law *law, double p, double rho1, double rho2, double *conductance);
 
-/** Every quantity of a law at one overclosure. The library writes every member. */
-typedef struct rc_law_point {
-  size_t struct_size;
-  double x, p, p_lower, p_upper; /* the exact p of the grid lies between these, under the assumption at the head of this file;
-                            p_upper is infinite beyond the last node                                                  */
-  double slope;          /* dp/dx [force/length^3]                                                                    */
-  double energy;         /* integral of p over x [force/length]                                                       */
-  double area_fraction, area_lower, area_upper; /* contact area over nominal area; with RC_LAW_MONOTONE the bounds are those of
-                            both nodes, and not proven in between                                                     */
-  double conductance, conductance_lower, conductance_upper; /* 2 slope / E* [1/length], to be divided by rho1 + rho2; NaN if
-                            rc_law_info.modulus is 0                                                                  */
-} rc_law_point;
-#define RC_LAW_POINT_INIT RC_BEGIN(rc_law_point)
+/** Every quantity at an overclosure; for x <= 0, without contact, all members after x are 0. */
 RC_API rc_status rc_law_evaluate(const rc_law *law, double x, rc_law_point *out);
 /** @} */
 

@@ -27,19 +27,6 @@
 extern "C" {
 #endif
 
-/** An option that a component declares. All of it lives as long as the component. */
-typedef struct rc_option_spec {
-  size_t struct_size;
-  const char *key;
-  const char *default_value; /* as text                                                                        */
-  const char *choices;       /* TEXT: "a|b|c", NULL: any text                                                  */
-  const char *help;          /* one line                                                                       */
-  int32_t type;              /* RC_TYPE_*                                                                      */
-  int32_t fixed;             /* 1: cannot change after rc_contact_create                                       */
-  double minimum, maximum;   /* INT and REAL, inclusive                                                        */
-} rc_option_spec;
-#define RC_OPTION_SPEC_INIT RC_BEGIN(rc_option_spec)
-
 /** Services of the core. Valid as long as the component lives. Every function is thread-safe. */
 typedef struct rc_host rc_host;
 struct rc_host {
@@ -213,7 +200,7 @@ typedef struct rc_backend {
   const char *license; /* SPDX, of the backend with its dependencies                                           */
   uint64_t caps;       /* RC_CAP_*                                                                             */
   int64_t n_options;
-  const rc_option_spec *const *options; /* keys "<name>.<key>"                                                 */
+  const rc_component *const *options; /* keys "<name>.<key>"                                                 */
 
   /* Required: operators and their products */
   /** Builds an operator. bind() is called before any product. */
@@ -462,7 +449,7 @@ typedef struct rc_solver {
                         approach solver by the core's iteration on the approach                            */
   uint32_t reserved;
   int64_t n_options;
-  const rc_option_spec *const *options;
+  const rc_component *const *options;
   /** p: start in, solution out; *d: approach (LOAD: start in, answer out). RC_OK only if the solver believes
    *  that tol is met; the core checks. p must be usable at every return >= 0. */
   rc_status (*solve)(const rc_host *, const rc_problem *, const rc_options *, double *p, double *d);
@@ -503,13 +490,6 @@ typedef struct rc_kernel_spec {
   double modulus;            /* E* of the caller [force/length^2]                                                        */
 } rc_kernel_spec;
 
-/** Promises about the spectrum, for any set of cells; proven intervals of load and area rest on them. 0: none. */
-typedef struct rc_kernel_bounds {
-  size_t struct_size;
-  double lowest;         /* no eigenvalue of H is smaller; PERIODIC: but the mean's                                      */
-  double galerkin_share; /* FREE: x'Hx is at least this times that of the kernel galerkin, for every x; else not looked at */
-} rc_kernel_bounds;
-
 /** A kernel: what unit pressure on a cell deflects, times the modulus. Functions are called from several threads at the same
  *  time; what they return depends on the spec only. The library checks the values: RC_ERR_NUMERIC if H cannot be positive
  *  definite or a promise is seen to be broken; the message has the offsets and values. */
@@ -522,7 +502,7 @@ struct rc_kernel {
   const char *license;
   uint64_t caps; /* RC_KERNEL_*                                                                                          */
   int64_t n_options;
-  const rc_option_spec *const *options; /* keys "<name>.<key>"; all are fixed when a contact is made                     */
+  const rc_component *const *options; /* keys "<name>.<key>"; all are fixed when a contact is made                     */
   /** RC_KERNEL_FREE or _SEMI_PERIODIC, else NULL: coefficients at the offsets (first_x + ix, first_y + iy) cells,
    *  0 <= ix < mx, 0 <= iy < my, into out[iy*mx + ix] [length]. A value depends on its offset, not on the window. Those at -x
    *  and -y are equal. On a grid that repeats along x, values at x and nx - x are equal as well (along y: y and ny - y). The
@@ -534,8 +514,11 @@ struct rc_kernel {
   rc_status (*symbol)(const rc_host *, const rc_kernel_spec *, double *out);
 
   /* Optional */
-  /** NULL: nothing is promised. The lowest eigenvalue of a symbol is looked up, and compared with a promise. */
-  rc_status (*bounds)(const rc_host *, const rc_kernel_spec *, rc_kernel_bounds *);
+  /** Promises about the spectrum, for any set of cells; proven intervals of load and area rest on them. *lowest: no eigenvalue of
+   *  H is smaller; PERIODIC: but the mean's. The lowest eigenvalue of a symbol is looked up, and compared with it. *galerkin_share:
+   *  FREE: x'Hx is at least this times that of the kernel galerkin, for every x; else not looked at. Both are 0 before the call,
+   *  which promises nothing, as NULL does. */
+  rc_status (*bounds)(const rc_host *, const rc_kernel_spec *, double *lowest, double *galerkin_share);
   void *user; /* not looked at                                                                                           */
 };
 

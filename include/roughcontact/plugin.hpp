@@ -246,11 +246,26 @@ template <class Operator> struct Functions {
   }
 };
 
+// Options for the lists of rc_backend, rc_solver and rc_kernel, with the default as text. fixed: cannot change after
+// rc_contact_create; those of kernels never can.
+constexpr rc_component text_option(const char* key, const char* value, const char* choices, const char* summary,
+                                   bool fixed = false) {
+  return {sizeof(rc_component), key, summary, nullptr, nullptr, value, choices, RC_TYPE_TEXT, fixed, 0, 0};
+}
+constexpr rc_component int_option(const char* key, const char* value, double minimum, double maximum, const char* summary,
+                                  bool fixed = false) {
+  return {sizeof(rc_component), key, summary, nullptr, nullptr, value, nullptr, RC_TYPE_INT, fixed, minimum, maximum};
+}
+constexpr rc_component real_option(const char* key, const char* value, double minimum, double maximum, const char* summary,
+                                   bool fixed = false) {
+  return {sizeof(rc_component), key, summary, nullptr, nullptr, value, nullptr, RC_TYPE_REAL, fixed, minimum, maximum};
+}
+
 // The table of a class with the functions that the class has, and their bits. caps: RC_CAP_* of systems and products; options: keys
 // "<name>.<key>".
 template <class Operator>
 consteval rc_backend backend(const char* summary, const char* license, std::uint64_t caps,
-                             std::span<const rc_option_spec* const> options = {}) {
+                             std::span<const rc_component* const> options = {}) {
   using F = Functions<Operator>;
   if (caps & (RC_CAP_FLOAT | RC_CAP_SCREEN | RC_CAP_SUBSET | RC_CAP_SHIFTED | RC_CAP_NORM))
     throw "bits of functions follow from the class";

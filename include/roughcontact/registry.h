@@ -15,21 +15,12 @@ enum {
   RC_CONTEXT_NO_PLUGINS = 1,    /* never load code from disk                                                         */
   RC_CONTEXT_NO_ENVIRONMENT = 2 /* ignore RC_PLUGIN_PATH                                                             */
 };
-typedef struct rc_context_config {
-  size_t struct_size;
-  uint32_t flags;          /* RC_CONTEXT_*                                                                           */
-  uint32_t reserved;       /* 0                                                                                      */
-  const char *plugin_path; /* ':'-separated absolute directories, searched before RC_PLUGIN_PATH and the
-                              installed one; relative ones are refused; NULL: none; copied                           */
-  rc_log_fn log;           /* NULL: silent; the threads of a batch call it as well, and at the same time             */
-  void *log_user;
-} rc_context_config;
-#define RC_CONTEXT_CONFIG_INIT RC_BEGIN(rc_context_config)
 
 /* Kinds of components that a context lists. */
 enum { RC_COMPONENT_SOLVER = 1, RC_COMPONENT_BACKEND = 2, RC_COMPONENT_KERNEL = 3, RC_COMPONENT_OPTION = 4 };
 enum { RC_TYPE_INT = 1, RC_TYPE_REAL = 2, RC_TYPE_TEXT = 3 };
-/** A component, or an option, which has the members from default_value on. Strings live as long as the context. */
+/** A component, or an option, which has the members from default_value on. Strings live as long as the context. Components of
+ *  plugin.h declare their options as such structs, which live as long as they do; license and origin are then not looked at. */
 typedef struct rc_component {
   size_t struct_size;
   const char *name;        /* of an option: its key                                                                  */
@@ -45,8 +36,10 @@ typedef struct rc_component {
 #define RC_COMPONENT_INIT RC_BEGIN(rc_component)
 
 /** @defgroup context Context: the registry  @{ */
-/** A registry of its own. config may be NULL. Errors: ARGUMENT, MEMORY. The result is destroyed by the caller. */
-RC_API rc_status rc_context_create(const rc_context_config *config, rc_context **out);
+/** A registry of its own. flags: RC_CONTEXT_*, or 0. plugin_path: absolute directories with ':' between them, searched before
+ *  RC_PLUGIN_PATH and the installed one; relative ones are refused; NULL: none; copied. log, which gets log_user: NULL: silent; the
+ *  threads of a batch call it as well, and at the same time. Errors: ARGUMENT, MEMORY. The result is destroyed by the caller. */
+RC_API rc_status rc_context_create(uint32_t flags, const char *plugin_path, rc_log_fn log, void *log_user, rc_context **out);
 /** NULL is allowed. Contacts and options made from it keep what they need, and may call its log until they are
  *  destroyed. */
 RC_API void rc_context_destroy(rc_context *context);

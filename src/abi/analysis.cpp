@@ -60,10 +60,13 @@ rc_status rc_histogram_fill(const rc_system* system, rc_const_array p, rc_const_
   });
 }
 
-rc_status rc_crossing_find(const rc_system* system, rc_const_array p, rc_const_array mask, rc_crossing* out) {
+rc_status rc_crossing_find(const rc_system* system, rc_const_array p, rc_const_array mask, int32_t* contact, int32_t* gap) {
   return guard("rc_crossing_find", [&] {
-    check_size(out, "rc_crossing");
-    write(out, find_crossing(map_of(system, p, mask)));
+    if (!contact || !gap) fail(RC_ERR_ARGUMENT, contact ? "gap" : "contact", " is null");
+    const ContactMap map = map_of(system, p, mask);
+    const std::int32_t of_contact = crossed_axes(map, true), of_gap = crossed_axes(map, false);
+    *contact = of_contact;
+    *gap = of_gap;
     return RC_OK;
   });
 }

@@ -60,19 +60,14 @@ template <class Body> void with_list(rc_context* handle, std::int32_t kind, cons
 
 extern "C" {
 
-rc_status rc_context_create(const rc_context_config* config, rc_context** out) {
+rc_status rc_context_create(uint32_t flags, const char* plugin_path, rc_log_fn log, void* log_user, rc_context** out) {
   return guard("rc_context_create", [&] {
     if (!out) fail(RC_ERR_ARGUMENT, "out is null");
     *out = nullptr;
-    ContextConfig copy;
-    if (config) {
-      const rc_context_config given = read<rc_context_config>(config, "rc_context_config", RC_CONTEXT_CONFIG_INIT);
-      if (given.flags & ~static_cast<std::uint32_t>(RC_CONTEXT_NO_PLUGINS | RC_CONTEXT_NO_ENVIRONMENT))
-        fail(RC_ERR_ARGUMENT, "rc_context_config.flags = ", given.flags, " has unknown bits");
-      check_reserved(given.reserved, "rc_context_config.reserved");
-      copy = {given.flags, given.plugin_path ? given.plugin_path : "", given.log, given.log_user};
-    }
-    *out = new rc_context{std::make_shared<Context>(copy)};
+    if (flags & ~static_cast<std::uint32_t>(RC_CONTEXT_NO_PLUGINS | RC_CONTEXT_NO_ENVIRONMENT))
+      fail(RC_ERR_ARGUMENT, "flags = ", flags,
+           " has unknown bits; there are RC_CONTEXT_NO_PLUGINS (1) and RC_CONTEXT_NO_ENVIRONMENT (2)");
+    *out = new rc_context{std::make_shared<Context>(ContextConfig{flags, plugin_path ? plugin_path : "", log, log_user})};
     return RC_OK;
   });
 }

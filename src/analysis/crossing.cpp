@@ -9,10 +9,6 @@ namespace rc {
 
 namespace {
 
-struct Directions {
-  bool x = false, y = false;
-};
-
 constexpr unsigned left = 1, right = 2, top = 4, bottom = 8;  // sides of the grid
 
 // Connected stretches of rows, and the sides of the grid that they touch.
@@ -64,9 +60,9 @@ void join_rows(const std::vector<Stretch>& above, const std::vector<Stretch>& be
   }
 }
 
-// Finds the axes along which the points with `contact`, or those without it, reach across. The sides at the ends of the axis stay
-// apart; those beside it are joined if the grid repeats there.
-Directions crossed(const ContactMap& map, bool contact) {
+}  // namespace
+
+std::int32_t crossed_axes(const ContactMap& map, bool contact) {
   const std::int64_t nx = map.system().nx, ny = map.system().ny;
   const auto inside = [&](std::int64_t x, std::int64_t y) {
     return map.included(y * nx + x) && map.touches(y * nx + x) == contact;
@@ -90,22 +86,15 @@ Directions crossed(const ContactMap& map, bool contact) {
     if (y == 0) first = row;
   }
 
-  Directions found;
+  std::int32_t found = RC_CROSSES_NONE;
   {
     Clusters along_y = clusters;
     for (const auto& [begin, end] : around) along_y.join(begin, end);
-    found.y = along_y.connects(top | bottom);
+    if (along_y.connects(top | bottom)) found += RC_CROSSES_Y;
   }
   if (map.joins_y()) join_rows(before, first, clusters);
-  found.x = clusters.connects(left | right);
+  if (clusters.connects(left | right)) found += RC_CROSSES_X;
   return found;
-}
-
-}  // namespace
-
-rc_crossing find_crossing(const ContactMap& map) {
-  const Directions contact = crossed(map, true), gap = crossed(map, false);
-  return {sizeof(rc_crossing), contact.x, contact.y, gap.x, gap.y};
 }
 
 }  // namespace rc

@@ -16,7 +16,7 @@ namespace rc {
 
 // A kernel's promises for a system, and the values that check them: SystemKernel::bounds.
 struct Promises {
-  rc_kernel_bounds bounds;
+  KernelBounds bounds;
   double most = 0;  // periodic: the largest eigenvalue but the mean's
   double self = 0;  // free boundaries: the coefficient at offset 0, of a kernel that is not built in
 };

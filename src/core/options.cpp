@@ -9,10 +9,10 @@
 
 namespace rc {
 
-OptionSpec::OptionSpec(const rc_option_spec& spec)
-    : key(spec.key),
+OptionSpec::OptionSpec(const rc_component& spec)
+    : key(spec.name),
       default_value(spec.default_value),
-      help(spec.help),
+      help(spec.summary),
       choices(spec.choices ? split(spec.choices, '|') : std::vector<std::string>()),
       choices_text(spec.choices ? spec.choices : ""),
       type(spec.type),
@@ -32,13 +32,13 @@ std::vector<std::string> Schema::keys() const {
   return result;
 }
 
-OptionSpec checked_spec(const rc_option_spec& spec, std::string_view component) {
+OptionSpec checked_spec(const rc_component& spec, std::string_view component) {
   const std::string prefix = join(component, ".");
-  if (spec.struct_size < first_size<rc_option_spec> || !spec.key || std::strncmp(spec.key, prefix.c_str(), prefix.size()) != 0)
-    fail(RC_ERR_PLUGIN, "component \"", component, "\" declares the option \"", spec.key ? spec.key : "",
+  if (spec.struct_size < first_size<rc_component> || !spec.name || std::strncmp(spec.name, prefix.c_str(), prefix.size()) != 0)
+    fail(RC_ERR_PLUGIN, "component \"", component, "\" declares the option \"", spec.name ? spec.name : "",
          "\"; its keys must start with \"", prefix, "\"");
-  if (!spec.default_value || !spec.help || spec.type < RC_TYPE_INT || spec.type > RC_TYPE_TEXT)
-    fail(RC_ERR_PLUGIN, "option \"", spec.key, "\" lacks a default, a help text or a type");
+  if (!spec.default_value || !spec.summary || spec.type < RC_TYPE_INT || spec.type > RC_TYPE_TEXT)
+    fail(RC_ERR_PLUGIN, "option \"", spec.name, "\" lacks a default, a summary or a type");
   try {
     return OptionSpec(spec);
   } catch (const Error& error) {

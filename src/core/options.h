@@ -1,10 +1,9 @@
 // Options: keys with a declared schema. A value is checked when it is set, so a solve never meets a bad one.
 #pragma once
 
-#include <roughcontact/plugin.h>
-
 #include <deque>
 #include <map>
+#include <roughcontact/plugin.hpp>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -15,7 +14,7 @@ namespace rc {
 using OptionValue = std::variant<std::int64_t, double, std::string>;
 
 struct OptionSpec {
-  explicit OptionSpec(const rc_option_spec& spec);  // throws Error(RC_ERR_OPTION) where the default does not fit
+  explicit OptionSpec(const rc_component& spec);  // throws Error(RC_ERR_OPTION) where the default does not fit
 
   std::string key, default_value, help;
   std::vector<std::string> choices;  // text only; empty: any text
@@ -26,15 +25,7 @@ struct OptionSpec {
   OptionValue parsed_default;
 };
 
-constexpr rc_option_spec text_option(const char* key, const char* value, const char* choices, const char* help) {
-  return {sizeof(rc_option_spec), key, value, choices, help, RC_TYPE_TEXT, 0, 0, 0};
-}
-constexpr rc_option_spec int_option(const char* key, const char* value, double minimum, double maximum, const char* help) {
-  return {sizeof(rc_option_spec), key, value, nullptr, help, RC_TYPE_INT, 0, minimum, maximum};
-}
-constexpr rc_option_spec real_option(const char* key, const char* value, double minimum, double maximum, const char* help) {
-  return {sizeof(rc_option_spec), key, value, nullptr, help, RC_TYPE_REAL, 0, minimum, maximum};
-}
+using roughcontact::int_option, roughcontact::real_option, roughcontact::text_option;
 
 // The declared keys. Grows as components are loaded; entries never move.
 class Schema {
@@ -54,7 +45,7 @@ class Schema {
 std::vector<OptionSpec> core_options();
 
 // Checks a component's description of an option; throws Error(RC_ERR_PLUGIN).
-OptionSpec checked_spec(const rc_option_spec& spec, std::string_view component);
+OptionSpec checked_spec(const rc_component& spec, std::string_view component);
 
 // Converts and checks; throws Error(RC_ERR_OPTION).
 OptionValue checked_value(const OptionSpec& spec, const OptionValue& value);

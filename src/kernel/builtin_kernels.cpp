@@ -33,17 +33,17 @@ rc_status waves(const rc_host*, const rc_kernel_spec* spec, double* out) {
   return RC_OK;
 }
 
-rc_status bounds(const rc_host*, const rc_kernel_spec* spec, rc_kernel_bounds* out) {
+rc_status bounds(const rc_host*, const rc_kernel_spec* spec, double* lowest, double* galerkin_share) {
   const rc_system& s = *spec->system;
   const Kernel& kernel = kernel_of(*spec);
   if (semi_periodic(s.boundary)) {
-    out->lowest = lowest_eigenvalue(kernel, strip_of(s));
-    out->galerkin_share = share_of_galerkin(strip_of(s));
+    *lowest = lowest_eigenvalue(kernel, strip_of(s));
+    *galerkin_share = share_of_galerkin(strip_of(s));
   } else if (kernel.boundary == Boundary::periodic) {
-    out->lowest = lowest_wave_eigenvalue(kernel, s.hx, s.hy, s.nx, s.ny);
+    *lowest = lowest_wave_eigenvalue(kernel, s.hx, s.hy, s.nx, s.ny);
   } else {
-    out->lowest = lowest_eigenvalue(kernel, s.hx, s.hy);
-    out->galerkin_share = share_of_galerkin(kernel);
+    *lowest = lowest_eigenvalue(kernel, s.hx, s.hy);
+    *galerkin_share = share_of_galerkin(kernel);
   }
   return RC_OK;
 }

@@ -47,6 +47,13 @@ const rc_law& named_law(const char* name, const char* path) {
   return *found->second;
 }
 
+// scale: the law's, see table.h
+void add_conductance(rc_law_point& point, double scale) {
+  point.conductance = scale * point.slope;
+  point.conductance_lower = scale * point.slope_lower;
+  point.conductance_upper = scale * point.slope_upper;
+}
+
 // The message of an evaluation, which is a number or a missing argument at fault.
 rc_status refused(const char* where, const char* what) {
   return guard(where, [&]() -> rc_status { fail(RC_ERR_ARGUMENT, what); });
@@ -84,13 +91,15 @@ rc_status rc_law_describe(const rc_law* law, rc_law_info* out) {
   });
 }
 
-rc_status rc_law_describe_node(const rc_law* law, int64_t i, rc_law_node* out) {
+rc_status rc_law_describe_node(const rc_law* law, int64_t i, rc_law_point* out) {
   return guard("rc_law_describe_node", [&] {
-    const std::vector<rc_law_node>& nodes = valid(law).nodes;
-    check_size(out, "rc_law_node");
+    const std::vector<rc_law_point>& nodes = valid(law).nodes;
+    check_size(out, "rc_law_point");
     if (i < 0 || i >= static_cast<std::int64_t>(nodes.size()))
       fail(RC_ERR_ARGUMENT, "i = ", i, " is none of ", nodes.size(), " nodes");
-    write(out, nodes[static_cast<std::size_t>(i)]);
+    rc_law_point node = nodes[static_cast<std::size_t>(i)];
+    add_conductance(node, law->conductance());
+    write(out, node);
     return RC_OK;
   });
 }
@@ -153,10 +162,8 @@ rc_status rc_law_evaluate(const rc_law* law, double x, rc_law_point* out) {
     if (status != RC_OK) return status;
   }
   const double* const table = law->table.data();
-  const double scale = law->conductance();
   const int status = roughcontact_law_pressure(table, x, &point.p, &point.slope, &point.energy);
   point.x = x;
-  point.conductance = point.conductance_lower = point.conductance_upper = scale * point.slope;
   if (x > 0) {
     roughcontact_law_bounds bounds{};
     roughcontact_law_bounds_at(table, x, point.p, &bounds);
@@ -165,10 +172,12 @@ rc_status rc_law_evaluate(const rc_law* law, double x, rc_law_point* out) {
     point.area_fraction = bounds.area;
     point.area_lower = bounds.area_lower;
     point.area_upper = bounds.area_upper;
-    point.conductance_lower = scale * bounds.slope_lower;
-    const bool unbounded = !std::isnan(scale) && bounds.slope_upper >= std::numeric_limits<double>::max();
-    point.conductance_upper = unbounded ? std::numeric_limits<double>::infinity() : scale * bounds.slope_upper;
+    const bool unbounded = bounds.slope_upper >= std::numeric_limits<double>::max();
+    point.slope_lower = point.between_lower = bounds.slope_lower;
+    point.slope_upper = point.between_upper = unbounded ? std::numeric_limits<double>::infinity() : bounds.slope_upper;
+    point.bounds = law->nodes[static_cast<std::size_t>(bounds.node)].bounds;
   }
+  add_conductance(point, law->conductance());
   write(out, point);
   return status;
 }

@@ -80,7 +80,7 @@ class LawMaker {
   struct Need {
     double times, at;
   };
-  Need need(const rc_law_node& node, const rc_law_node& next) const {
+  Need need(const rc_law_point& node, const rc_law_point& next) const {
     double most = 0, at = 0.5;
     if (node.bounds == RC_LAW_MONOTONE) {
       const double h = next.x - node.x, chord = (next.p - node.p) / h;
@@ -144,7 +144,7 @@ class LawMaker {
       law.nodes.push_back(nodes_[i].node);
       if (i > 1 && patch_.bulk() == RC_LAW_BULK_MEAN) law.nodes.back().energy = nan;
     }
-    rc_law_node& last = law.nodes.back();  // beyond it, the bounds of the last interval continue
+    rc_law_point& last = law.nodes.back();  // beyond it, the bounds of the last interval continue
     last.bounds = law.nodes[law.nodes.size() - 2].bounds;
     last.between_lower = last.bounds == RC_LAW_CONVEX && !patch_.plastic() ? last.slope_lower : 0;
     last.between_upper = HUGE_VAL;

@@ -11,7 +11,7 @@ constexpr double at_node = 1e-9;     // of the overclosure: a knot this near to 
 constexpr double short_part = 1e-7;  // of the overclosure: there a knot's round-off would change slopes
 constexpr double noise = 1e-6;       // of an interval: by so little tangents that touch at a node may miss it
 
-double chord_of(const rc_law_node& node, const rc_law_node& next) { return (next.p - node.p) / (next.x - node.x); }
+double chord_of(const rc_law_point& node, const rc_law_point& next) { return (next.p - node.p) / (next.x - node.x); }
 
 LawInterval knotted(double length, double theta, double first, double middle, double last) {
   const double before = theta * length;
@@ -20,7 +20,7 @@ LawInterval knotted(double length, double theta, double first, double middle, do
 
 // The middle slope is the one with which p rises from node to node. A knot near a node is a double, so that the parabolas that
 // are evaluated from it meet exactly. Nothing if p would fall.
-std::optional<LawInterval> rising(const rc_law_node& node, const rc_law_node& next, double before) {
+std::optional<LawInterval> rising(const rc_law_point& node, const rc_law_point& next, double before) {
   const double length = next.x - node.x;
   if (std::min(before, length - before) < short_part * next.x) before = (node.x + before) - node.x;
   const double after = length - before;
@@ -31,7 +31,7 @@ std::optional<LawInterval> rising(const rc_law_node& node, const rc_law_node& ne
 
 }  // namespace
 
-std::optional<LawInterval> with_tangents(const rc_law_node& node, const rc_law_node& next) {
+std::optional<LawInterval> with_tangents(const rc_law_point& node, const rc_law_point& next) {
   const double length = next.x - node.x, chord = chord_of(node, next);
   const double theta = (next.slope - chord) / (next.slope - node.slope), before = theta * length, after = length - before;
   if (!(theta > -noise && theta < 1 + noise)) return {};
@@ -40,16 +40,16 @@ std::optional<LawInterval> with_tangents(const rc_law_node& node, const rc_law_n
   return knotted(length, theta, node.slope, chord, next.slope);
 }
 
-std::optional<LawInterval> with_knot(const rc_law_node& node, const rc_law_node& next, double share) {
+std::optional<LawInterval> with_knot(const rc_law_point& node, const rc_law_point& next, double share) {
   return rising(node, next, share * (next.x - node.x));
 }
 
-LawInterval chord_between(const rc_law_node& node, const rc_law_node& next) {
+LawInterval chord_between(const rc_law_point& node, const rc_law_point& next) {
   const double chord = chord_of(node, next);
   return knotted(next.x - node.x, 0.5, chord, chord, chord);
 }
 
-LawInterval up_to_first(const rc_law_node& node) {
+LawInterval up_to_first(const rc_law_point& node) {
   const double chord = node.p / node.x, last = std::max(node.slope, chord), part = chord / last;
   if (!(last > chord * (1 + 1e-9))) return knotted(node.x, 0.5, chord, (3 * chord - last) / 2, last);
   const double least =

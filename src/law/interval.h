@@ -24,12 +24,12 @@ struct LawInterval {
 
 // Where the tangents of both nodes meet: C1, and the slope at the knot is the chord's. If they meet at a node, the exact curve
 // has a kink there: one parabola, whose slope jumps at that node. Nothing if they meet elsewhere or p would fall.
-std::optional<LawInterval> with_tangents(const rc_law_node& node, const rc_law_node& next);
+std::optional<LawInterval> with_tangents(const rc_law_point& node, const rc_law_point& next);
 // C1, with the values and slopes of both nodes, and its knot at this share of the interval, > 0 and < 1. Nothing if p would fall.
-std::optional<LawInterval> with_knot(const rc_law_node& node, const rc_law_node& next, double share);
-LawInterval chord_between(const rc_law_node& node, const rc_law_node& next);
+std::optional<LawInterval> with_knot(const rc_law_point& node, const rc_law_point& next, double share);
+LawInterval chord_between(const rc_law_point& node, const rc_law_point& next);
 // From the origin, where nothing touches, to the first node: has that node's value and slope, is convex, and has its energy. Its
 // slope jumps at the origin or at the knot where the energy asks for it.
-LawInterval up_to_first(const rc_law_node& node);
+LawInterval up_to_first(const rc_law_point& node);
 
 }  // namespace rc

@@ -21,7 +21,7 @@ struct LawBow {
 };
 
 // docs/development/derivation.md, Laws with a hardness. Stiffnesses are per nominal area, of the patch itself.
-LawBow bow_of(const rc_law_node& node, const rc_law_node& next, double bulk_yield) {
+LawBow bow_of(const rc_law_point& node, const rc_law_point& next, double bulk_yield) {
   if (node.bounds == RC_LAW_MONOTONE) return {};
   const auto stiffness = [&](double slope) { return slope / (1 + bulk_yield * slope); };
   const double low = stiffness(node.between_lower), high = stiffness(node.between_upper), h = next.x - node.x;
@@ -36,7 +36,7 @@ LawBow bow_of(const rc_law_node& node, const rc_law_node& next, double bulk_yiel
 // The bounds of p between two nodes: the parabolas of which roughcontact_law_envelope takes the largest and the smallest.
 class LawEnvelope {
  public:
-  LawEnvelope(const rc_law_node& node, const rc_law_node& next, LawBow bow) : p_(node.p), length_(next.x - node.x) {
+  LawEnvelope(const rc_law_point& node, const rc_law_point& next, LawBow bow) : p_(node.p), length_(next.x - node.x) {
     const double h = length_, low = std::max(0.0, node.between_lower), high = node.between_upper;
     lower_ = {{node.p_lower, low, 0}};
     upper_ = {{next.p_upper - low * h, low, 0}};
@@ -85,7 +85,7 @@ class LawEnvelope {
   std::vector<Parabola> lower_, upper_;
 };
 
-law_table_node table_node(const rc_law_node& node, LawBow bow = {}) {
+law_table_node table_node(const rc_law_point& node, LawBow bow = {}) {
   return {.x = node.x,
           .p_lower = node.p_lower,
           .p_upper = node.p_upper,
@@ -148,7 +148,7 @@ std::string remark_of(const Law& law) {
 }  // namespace
 
 // The upper bound is concave and the lower one convex, so their ratio has one maximum.
-LawWidth widest(const rc_law_node& node, const rc_law_node& next, double bulk_yield) {
+LawWidth widest(const rc_law_point& node, const rc_law_point& next, double bulk_yield) {
   const law_table_node first = table_node(node, bow_of(node, next, bulk_yield)), last = table_node(next);
   const auto half = [&](double share) {
     double lower = 0, upper = 0;
@@ -164,7 +164,7 @@ LawWidth widest(const rc_law_node& node, const rc_law_node& next, double bulk_yi
   return {(low + high) / 2, half((low + high) / 2)};
 }
 
-void admit_chord(rc_law_node& node, const rc_law_node& next) {
+void admit_chord(rc_law_point& node, const rc_law_point& next) {
   if (node.bounds == RC_LAW_MONOTONE) return;
   const double h = next.x - node.x;
   node.between_lower = std::min({node.between_lower, (next.p - node.p_lower) / h, (next.p_upper - node.p) / h});
@@ -174,7 +174,7 @@ void admit_chord(rc_law_node& node, const rc_law_node& next) {
 // The first of these curves that is inside the bounds: with the knot where the tangents meet, in the middle, ever nearer to a
 // node; the chord.
 LawInterval Law::curve_of(std::size_t i) const {
-  const rc_law_node &node = nodes[i], &next = nodes[i + 1];
+  const rc_law_point &node = nodes[i], &next = nodes[i + 1];
   const LawEnvelope bounds(node, next, bow_of(node, next, bulk_yield()));
   if (i == 0) {
     const LawInterval curve = up_to_first(next);
@@ -194,8 +194,8 @@ void Law::finish() {
   info.bounds = RC_LAW_CONVEX;
   double energy = 0;
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
-    const rc_law_node& node = nodes[i];
-    rc_law_node& next = nodes[i + 1];
+    const rc_law_point& node = nodes[i];
+    rc_law_point& next = nodes[i + 1];
     const LawInterval curve = curve_of(i);
     const LawPart &before = curve.before, &after = curve.after;
     pieces.push_back({node.x, node.p, before.first, before.half_bend(), energy});
@@ -215,7 +215,7 @@ void Law::finish() {
   pieces.push_back({nodes.back().x, nodes.back().p, nodes.back().slope, 0, energy});
   table_nodes.push_back(table_node(nodes.back()));
   const bool convex =
-      std::all_of(nodes.begin(), nodes.end() - 1, [](const rc_law_node& node) { return node.bounds == RC_LAW_CONVEX; });
+      std::all_of(nodes.begin(), nodes.end() - 1, [](const rc_law_point& node) { return node.bounds == RC_LAW_CONVEX; });
   table = table_of(
       {.conductance = info.modulus > 0 ? 2 / info.modulus : nan, .hardness = info.hardness, .convex = convex ? 1.0 : 0.0}, pieces,
       table_nodes);

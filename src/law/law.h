@@ -19,7 +19,7 @@ inline constexpr const char* no_conductance =
 struct Law {
   rc_law_info info = RC_LAW_INFO_INIT;
   double tolerance = 0, tolerance_conductance = 0;  // as asked for
-  std::vector<rc_law_node> nodes;
+  std::vector<rc_law_point> nodes;
   std::vector<double> table;  // see table.h
   rc_status status = RC_OK;   // that rc_law_create returned
   std::string remark;         // why it is not RC_OK
@@ -37,12 +37,12 @@ struct Law {
 struct LawWidth {
   double at, half;
 };
-LawWidth widest(const rc_law_node& node, const rc_law_node& next, double bulk_yield);
+LawWidth widest(const rc_law_point& node, const rc_law_point& next, double bulk_yield);
 
 // Widens the slopes' interval of `node` as little as it takes for a chord between the pressures of both nodes to be inside all
 // bounds. The intervals of loads and stiffnesses at the nodes, and round-off, can contradict a chord by as little as they are
 // wide.
-void admit_chord(rc_law_node& node, const rc_law_node& next);
+void admit_chord(rc_law_point& node, const rc_law_point& next);
 
 }  // namespace rc
 

@@ -105,9 +105,9 @@ rc_status status_in(LawReader& reader) {
   return status;
 }
 
-void check_nodes(const std::vector<rc_law_node>& nodes) {
+void check_nodes(const std::vector<rc_law_point>& nodes) {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const rc_law_node& node = nodes[i];
+    const rc_law_point& node = nodes[i];
     const bool first = i == 0;
     if (first ? node.x != 0 || node.p != 0
               : !(node.x > nodes[i - 1].x && node.p >= nodes[i - 1].p && node.slope >= 0) || !std::isfinite(node.x) ||
@@ -144,7 +144,7 @@ std::unique_ptr<rc_law> law_of(std::string_view text) {
   if (next != "nodes") fail(RC_ERR_ARGUMENT, "\"", next, "\" is there instead of \"nodes\"");
   const long long nodes = reader.count(2, most_nodes);
   for (long long i = 0; i < nodes; ++i) {
-    rc_law_node& node = law->nodes.emplace_back(RC_LAW_NODE_INIT);
+    rc_law_point& node = law->nodes.emplace_back(RC_LAW_POINT_INIT);
     for (double* number : numbers_in(node)) *number = reader.real();
     node.bounds = static_cast<std::int32_t>(reader.count(RC_LAW_CONVEX, RC_LAW_MONOTONE));
   }
@@ -159,7 +159,7 @@ std::string text_of(const Law& law) {
   std::string text = join(format_name, newest_version, '\n');
   for (const auto& [name, number] : numbers_of(law)) text += join(name, ' ', exact(*number), '\n');
   text += join("bulk ", law.info.bulk, "\nsolves ", law.info.solves, "\nstatus ", law.status, "\nnodes ", law.nodes.size(), '\n');
-  for (const rc_law_node& node : law.nodes) {
+  for (const rc_law_point& node : law.nodes) {
     for (const double* number : numbers_in(node)) text += exact(*number) + ' ';
     text += join(node.bounds, '\n');
   }

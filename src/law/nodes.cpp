@@ -35,7 +35,7 @@ void LawNodes::leave_out(std::size_t i, LawSample before) {
 
 void LawNodes::bound(LawSample& sample, const LawSample& next) const {
   sample.bounded_to = next.approach;
-  rc_law_node& node = sample.node;
+  rc_law_point& node = sample.node;
   node.bounds = RC_LAW_MONOTONE;
   node.between_lower = 0;
   node.between_upper = HUGE_VAL;

@@ -143,7 +143,7 @@ LawSample LawPatch::solve(std::int32_t control, double target) {
   }
   const Yield yields = yield(control, result, sample);
   check_yield(result, yields);
-  rc_law_node& node = sample.node;
+  rc_law_point& node = sample.node;
   node.x = yields.x;
   node.p = result.load / area_;
   node.slope = result.stiffness / area_ / yields.rate;

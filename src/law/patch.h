@@ -17,7 +17,7 @@ bool takes_mean_gap(const rc_system& system);
 
 // A solved node.
 struct LawSample {
-  rc_law_node node = RC_LAW_NODE_INIT;                           // bounds and between_...: of no interval yet
+  rc_law_point node = RC_LAW_POINT_INIT;                         // bounds and between_...: of no interval yet
   double approach = 0;                                           // from first touch on
   double bounded_to = std::numeric_limits<double>::quiet_NaN();  // approach of the next node for which node.bounds holds
   bool proven = true;  // load and stiffness lie in proven intervals, and sets of points grow with the approach

@@ -122,10 +122,11 @@ void roughcontact_law_envelope(const Node* node, const Node* next, double x, dou
 void roughcontact_law_bounds_at(const double* table, double x, double p, struct roughcontact_law_bounds* bounds) {
   const Node* const node = law_nodes(table) + (piece_at(table, x) - law_pieces(table)) / 2; /* two pieces from node to node */
   const Node* const next = node + 1;
+  bounds->node = (int)(node - law_nodes(table));
   bounds->slope_lower = larger(0, node->between_lower);
   bounds->slope_upper = node->between_upper;
   bounds->area_lower = node->area_lower;
-  if (node == law_nodes(table) + ((int)law_head(table)->nodes - 1)) { /* there is no next one: the area grows as p does */
+  if (bounds->node == (int)law_head(table)->nodes - 1) { /* there is no next one: the area grows as p does */
     const double t = x - node->x;
     bounds->p_lower = node->p_lower + node->between_lower * t;
     bounds->p_upper = t > 0 ? HUGE_VAL : node->p_upper;
@@ -342,7 +343,7 @@ int roughcontact_law_slip(const double* table, double mu, double nu, const doubl
 void roughcontact_law_slip_bounds(const double* table, double mu, const double* state, double* lower, double* upper) {
   const State* const now = (const State*)state;
   const int convex = law_head(table)->convex > 0;
-  struct roughcontact_law_bounds from = {0, 0, 0, 0, 0, 0, 0}, to = from;
+  struct roughcontact_law_bounds from = {0, 0, 0, 0, 0, 0, 0, 0}, to = from;
   double x = 0;
   int k, i;
   lower[0] = lower[1] = upper[0] = upper[1] = 0;

@@ -53,6 +53,7 @@ int roughcontact_law_slope(const double* table, double p, double* slope); /* by 
 
 struct roughcontact_law_bounds {
   double p_lower, p_upper, area, area_lower, area_upper, slope_lower, slope_upper;
+  int node; /* the last one at or before the overclosure, from 0 */
 };
 /* At an overclosure > 0 and its pressure. */
 void roughcontact_law_bounds_at(const double* table, double x, double p, struct roughcontact_law_bounds* bounds);

@@ -77,12 +77,12 @@ void check_members(const rc_kernel& kernel, const std::string&) {
 }
 
 // A kernel is chosen when a contact is made, and its values with it.
-OptionSpec option_of(const rc_kernel& kernel, const rc_option_spec& given) {
+OptionSpec option_of(const rc_kernel& kernel, const rc_component& given) {
   OptionSpec spec = checked_spec(given, kernel.name);
   spec.fixed = true;
   return spec;
 }
-template <class Vtable> OptionSpec option_of(const Vtable& component, const rc_option_spec& given) {
+template <class Vtable> OptionSpec option_of(const Vtable& component, const rc_component& given) {
   return checked_spec(given, component.name);
 }
 

@@ -52,19 +52,19 @@ void SystemKernel::check(rc_status status, const char* what) const {
   if (status != RC_OK) refuse(what, " returned ", status, ", must be RC_OK or an error");
 }
 
-rc_kernel_bounds SystemKernel::promised(const rc_system& system) const {
-  rc_kernel_bounds found{sizeof(rc_kernel_bounds), 0, 0};
+KernelBounds SystemKernel::promised(const rc_system& system) const {
+  KernelBounds found;
   if (!kernel_.bounds) return found;
   const rc_kernel_spec asked = spec(system);
   clear_message();
-  check(kernel_.bounds(&options_.context->host(), &asked, &found), "the kernel's bounds");
+  check(kernel_.bounds(&options_.context->host(), &asked, &found.lowest, &found.galerkin_share), "the kernel's bounds");
   for (const double value : {found.lowest, found.galerkin_share})
     if (!(value >= 0) || std::isinf(value)) refuse("a promised bound is ", value, ", must be finite and >= 0 (0: none)");
   return found;
 }
 
-rc_kernel_bounds SystemKernel::bounds(const rc_system& system, double& largest) const {
-  rc_kernel_bounds found = promised(system);
+KernelBounds SystemKernel::bounds(const rc_system& system, double& largest) const {
+  KernelBounds found = promised(system);
   if (half_space()) return found;
   if (kernel::semi_periodic(system.boundary)) found.galerkin_share = 0;  // a promise about free boundaries
   if (system.boundary != RC_BOUNDARY_PERIODIC) {
@@ -86,7 +86,7 @@ rc_kernel_bounds SystemKernel::bounds(const rc_system& system, double& largest) 
 }
 
 // Quotients x'Hx / x'x are no smaller than the lowest eigenvalue.
-void SystemKernel::check_coefficients(const rc_system& system, const rc_kernel_bounds& promise) const {
+void SystemKernel::check_coefficients(const rc_system& system, const KernelBounds& promise) const {
   const kernel::Window all{0, 0, patch, patch};
   std::vector<double> values(patch * patch), galerkin(values.size()), alone(patch);
   window(system, all, values.data());

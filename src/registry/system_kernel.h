@@ -10,6 +10,11 @@
 
 namespace rc {
 
+// What rc_kernel.bounds promises.
+struct KernelBounds {
+  double lowest = 0, galerkin_share = 0;
+};
+
 // All functions throw Error(NUMERIC, or what the kernel says).
 class SystemKernel {
  public:
@@ -25,7 +30,7 @@ class SystemKernel {
   // Checks what can be seen of a kernel from outside before anything depends on it, and returns its promises. The lowest
   // eigenvalue follows from the share of galerkin where that says more; periodic systems: from the symbol. largest: out, the
   // largest eigenvalue but the mean's; unchanged if no symbol is read.
-  rc_kernel_bounds bounds(const rc_system&, double& largest) const;
+  KernelBounds bounds(const rc_system&, double& largest) const;
 
   void window(const rc_system&, const kernel::Window&, double* out) const;  // not for periodic boundaries
   void symbol(const rc_system&, double* out) const;                         // periodic boundaries
@@ -36,8 +41,8 @@ class SystemKernel {
   void check(rc_status, const char* what) const;
   void ask(const rc_system&, const kernel::Window&, double* out) const;
   void check_mirrored(const rc_system&, const kernel::Window&, const double* values, double scale) const;
-  rc_kernel_bounds promised(const rc_system&) const;
-  void check_coefficients(const rc_system&, const rc_kernel_bounds&) const;
+  KernelBounds promised(const rc_system&) const;
+  void check_coefficients(const rc_system&, const KernelBounds&) const;
   template <class... Parts> [[noreturn]] void refuse(const Parts&... parts) const;
 
   const rc_kernel& kernel_;

@@ -154,10 +154,10 @@ class Alternation {
   bool automatic_ = true;
 };
 
-constexpr rc_option_spec relaxation = real_option("admm.relaxation", "1.7", 1, 1.95, "over-relaxation; 1: none");
-constexpr rc_option_spec rho = real_option(
+constexpr rc_component relaxation = real_option("admm.relaxation", "1.7", 1, 1.95, "over-relaxation; 1: none");
+constexpr rc_component rho = real_option(
     "admm.rho", "0", 0, 1e12, "penalty, relative to the contact modulus and the cell size; 0: from the eigenvalues of H");
-const rc_option_spec* const specs[] = {&relaxation, &rho};
+const rc_component* const specs[] = {&relaxation, &rho};
 
 }  // namespace
 

@@ -252,21 +252,21 @@ class Cascade {
   std::string remark_;
 };
 
-constexpr rc_option_spec inner = text_option("cmr.inner", "auto", nullptr, "solver on every level, by name");
-constexpr rc_option_spec levels =
+constexpr rc_component inner = text_option("cmr.inner", "auto", nullptr, "solver on every level, by name");
+constexpr rc_component levels =
     int_option("cmr.levels", "0", 0, most_levels, "grids of the cascade, the given one included; 0: down to 16 points a side");
-constexpr rc_option_spec radius = real_option("cmr.radius", "2", 1, 1000, "h: radius of the area of influence in coarse cells");
-constexpr rc_option_spec area =
+constexpr rc_component radius = real_option("cmr.radius", "2", 1, 1000, "h: radius of the area of influence in coarse cells");
+constexpr rc_component area =
     text_option("cmr.area", "diagonal", "diagonal|side",
                 "the radius is h diagonals of a coarse cell (Bemporad & Paggi's text) or h sides (their Algorithm 6)");
-constexpr rc_option_spec filter = text_option("cmr.filter", "max", "subsample|mean|max",
-                                              "what a coarse point takes from its four heights: one, their mean or the highest");
-constexpr rc_option_spec certified = int_option(
+constexpr rc_component filter = text_option("cmr.filter", "max", "subsample|mean|max",
+                                            "what a coarse point takes from its four heights: one, their mean or the highest");
+constexpr rc_component certified = int_option(
     "cmr.certified", "1", 0, 1, "1: add points that overlap and solve again until none does; 0: as published, may be wrong");
-constexpr rc_option_spec select = text_option("cmr.select", "influence", "influence|gap",
-                                              "points of the given grid that are kept: those near contact on the coarser one, "
-                                              "or tiles whose gap under the coarser pressure nearly closes");
-constexpr const rc_option_spec* specs[] = {&inner, &levels, &radius, &area, &filter, &certified, &select};
+constexpr rc_component select = text_option("cmr.select", "influence", "influence|gap",
+                                            "points of the given grid that are kept: those near contact on the coarser one, "
+                                            "or tiles whose gap under the coarser pressure nearly closes");
+constexpr const rc_component* specs[] = {&inner, &levels, &radius, &area, &filter, &certified, &select};
 
 }  // namespace
 

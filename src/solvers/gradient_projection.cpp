@@ -74,12 +74,12 @@ class Descent {
   Vector hp_, s_, hs_;  // H p, the extrapolated point, H s
 };
 
-constexpr rc_option_spec lipschitz = text_option("gp.lipschitz", "collatz", "collatz|frobenius",
-                                                 "step length from a tight bound of the largest eigenvalue (collatz) or from the "
-                                                 "Frobenius norm, as published, where the backend has it");
-constexpr rc_option_spec restart =
+constexpr rc_component lipschitz = text_option("gp.lipschitz", "collatz", "collatz|frobenius",
+                                               "step length from a tight bound of the largest eigenvalue (collatz) or from the "
+                                               "Frobenius norm, as published, where the backend has it");
+constexpr rc_component restart =
     int_option("gp.restart", "1", 0, 1, "1: the acceleration starts afresh where it points uphill; 0: never, as published");
-const rc_option_spec* const specs[] = {&lipschitz, &restart};
+const rc_component* const specs[] = {&lipschitz, &restart};
 
 }  // namespace
 

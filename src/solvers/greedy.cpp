@@ -204,12 +204,11 @@ class Greedy {
   std::int64_t iterations_ = 0;
 };
 
-constexpr rc_option_spec inner =
-    text_option("greedy.inner", "cg", "cg|gauss-seidel|cholesky",
-                "how each set is solved; gauss-seidel stores the matrix, of at most 4096 candidates");
-constexpr rc_option_spec repair =
+constexpr rc_component inner = text_option("greedy.inner", "cg", "cg|gauss-seidel|cholesky",
+                                           "how each set is solved; gauss-seidel stores the matrix, of at most 4096 candidates");
+constexpr rc_component repair =
     int_option("greedy.repair", "0", 0, 1, "1: if dropped points overlap, nnls continues from the contact set found");
-const rc_option_spec* const specs[] = {&inner, &repair};
+const rc_component* const specs[] = {&inner, &repair};
 
 }  // namespace
 

@@ -228,10 +228,10 @@ class Pivoting {
   int full_sets_ = 0;  // failed solves with all points in contact
 };
 
-constexpr rc_option_spec pivoting =
+constexpr rc_component pivoting =
     text_option("nnls.pivoting", "block", "block|single",
                 "block: all infeasible points at once, a handful of solves; single: one point a solve, as published");
-const rc_option_spec* const specs[] = {&pivoting};
+const rc_component* const specs[] = {&pivoting};
 
 }  // namespace
 

@@ -12,10 +12,10 @@ namespace rc {
 
 // A solver's options, keys "<name>.<key>".
 struct Options {
-  const rc_option_spec* const* specs = nullptr;
+  const rc_component* const* specs = nullptr;
   std::int64_t count = 0;
 };
-template <std::size_t count> constexpr Options listed(const rc_option_spec* const (&specs)[count]) {
+template <std::size_t count> constexpr Options listed(const rc_component* const (&specs)[count]) {
   return {specs, static_cast<std::int64_t>(count)};
 }
 

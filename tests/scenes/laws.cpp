@@ -176,7 +176,7 @@ class AsLaw final : public Property {
   // Bounds of p and conductance are no wider than the law says of itself, where it says so.
   bool tight(const rc_law_point& said) const {
     for (std::int64_t i = 0; i + 1 < info_.nodes; ++i) {
-      rc_law_node node = RC_LAW_NODE_INIT, next = RC_LAW_NODE_INIT;
+      rc_law_point node = RC_LAW_POINT_INIT, next = RC_LAW_POINT_INIT;
       pairs::check(rc_law_describe_node(law_.get(), i, &node) == RC_OK && rc_law_describe_node(law_.get(), i + 1, &next) == RC_OK,
                    rc_last_error());
       if (said.x >= node.x && said.x <= next.x) return node.bounds != RC_LAW_MONOTONE;

@@ -55,6 +55,24 @@ std::string law_line(const LawRow& row) {
                    std::isnan(at.conductance) ? "none" : format("%.4g /m", at.conductance)});
 }
 
+void add_point(JsonText& document, const rc_law_point& at) {
+  document.add({{"x", at.x},
+                {"p", at.p},
+                {"p_lower", at.p_lower},
+                {"p_upper", at.p_upper},
+                {"slope", at.slope},
+                {"slope_lower", at.slope_lower},
+                {"slope_upper", at.slope_upper},
+                {"energy", at.energy},
+                {"area_fraction", at.area_fraction},
+                {"area_lower", at.area_lower},
+                {"area_upper", at.area_upper},
+                {"conductance", at.conductance},
+                {"conductance_lower", at.conductance_lower},
+                {"conductance_upper", at.conductance_upper},
+                {"bounds", bounds_name(at.bounds)}});
+}
+
 }  // namespace
 
 void print_law(const PatchLaw& law, const std::vector<LawRow>& rows) {
@@ -112,40 +130,17 @@ std::string law_document(const PatchLaw& law, const std::vector<LawRow>& rows) {
                 {"p_upper", info.p_upper * units.pressure()}});
   document.end();
   document.begin("nodes", '[');
-  for (const rc_law_node& node : law.nodes()) {
+  for (const rc_law_point& node : law.nodes()) {
     document.begin(nullptr);
-    document.add({{"x", node.x},
-                  {"p", node.p},
-                  {"p_lower", node.p_lower},
-                  {"p_upper", node.p_upper},
-                  {"slope", node.slope},
-                  {"slope_lower", node.slope_lower},
-                  {"slope_upper", node.slope_upper},
-                  {"energy", node.energy},
-                  {"area_fraction", node.area_fraction},
-                  {"area_lower", node.area_lower},
-                  {"area_upper", node.area_upper},
-                  {"bounds", bounds_name(node.bounds)}});
+    add_point(document, node);
     document.end();
   }
   document.end();
   document.begin("rows", '[');
   for (const LawRow& row : rows) {
-    const rc_law_point& at = row.at;
     document.begin(nullptr);
-    document.add({{"x", at.x},
-                  {"p", at.p},
-                  {"p_lower", at.p_lower},
-                  {"p_upper", at.p_upper},
-                  {"slope", at.slope},
-                  {"energy", at.energy},
-                  {"area_fraction", at.area_fraction},
-                  {"area_lower", at.area_lower},
-                  {"area_upper", at.area_upper},
-                  {"conductance", at.conductance},
-                  {"conductance_lower", at.conductance_lower},
-                  {"conductance_upper", at.conductance_upper},
-                  {"beyond", row.beyond}});
+    add_point(document, row.at);
+    document.add({{"beyond", row.beyond}});
     document.end();
   }
   document.end();

@@ -6,6 +6,19 @@
 
 namespace cli {
 
+namespace {
+
+void to_si(rc_law_point& at, const LawUnits& units) {
+  at.x *= units.length;
+  for (double* const p : {&at.p, &at.p_lower, &at.p_upper}) *p *= units.pressure();
+  for (double* const slope : {&at.slope, &at.slope_lower, &at.slope_upper, &at.between_lower, &at.between_upper})
+    *slope *= units.pressure() / units.length;
+  at.energy *= units.pressure() * units.length;
+  for (double* const conductance : {&at.conductance, &at.conductance_lower, &at.conductance_upper}) *conductance /= units.length;
+}
+
+}  // namespace
+
 double LawRow::half_width() const {
   if (!(at.p > 0)) return 0;
   return std::isfinite(at.p_upper) ? (at.p_upper - at.p_lower) / (2 * at.p) : std::numeric_limits<double>::infinity();
@@ -17,11 +30,7 @@ LawRow PatchLaw::row(double x) const {
   const rc_status given = rc_law_evaluate(handle.get(), x / units.length, &at);
   check(given, "--at");
   found.beyond = given == RC_OUTSIDE;
-  at.x *= units.length;
-  for (double* const p : {&at.p, &at.p_lower, &at.p_upper}) *p *= units.pressure();
-  at.slope *= units.pressure() / units.length;
-  at.energy *= units.pressure() * units.length;
-  for (double* const conductance : {&at.conductance, &at.conductance_lower, &at.conductance_upper}) *conductance /= units.length;
+  to_si(at, units);
   return found;
 }
 
@@ -31,16 +40,12 @@ LawRow PatchLaw::row_at_pressure(double p) const {
   return row(x * units.length);
 }
 
-std::vector<rc_law_node> PatchLaw::nodes() const {
-  std::vector<rc_law_node> found(static_cast<std::size_t>(info.nodes), RC_LAW_NODE_INIT);
+std::vector<rc_law_point> PatchLaw::nodes() const {
+  std::vector<rc_law_point> found(static_cast<std::size_t>(info.nodes), RC_LAW_POINT_INIT);
   for (std::size_t i = 0; i < found.size(); ++i) {
-    rc_law_node& node = found[i];
+    rc_law_point& node = found[i];
     check(rc_law_describe_node(handle.get(), static_cast<std::int64_t>(i), &node), "");
-    node.x *= units.length;
-    for (double* const p : {&node.p, &node.p_lower, &node.p_upper}) *p *= units.pressure();
-    for (double* const slope : {&node.slope, &node.slope_lower, &node.slope_upper, &node.between_lower, &node.between_upper})
-      *slope *= units.pressure() / units.length;
-    node.energy *= units.pressure() * units.length;
+    to_si(node, units);
   }
   return found;
 }

@@ -39,7 +39,7 @@ struct PatchLaw {
   // In SI units, at an overclosure or at a pressure in SI units.
   LawRow row(double x) const;
   LawRow row_at_pressure(double p) const;
-  std::vector<rc_law_node> nodes() const;
+  std::vector<rc_law_point> nodes() const;
 
   // Equal ratios of pressure over the range of the law.
   std::vector<LawRow> rows(int count) const;

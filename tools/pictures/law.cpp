@@ -68,7 +68,7 @@ Gnuplot draw_law(const PatchLaw& law, std::FILE* file) {
     conductances.add(p, at.conductance, at.conductance_lower, at.conductance_upper);
     if (std::isfinite(row.half_width())) widths += format("%.9g %.9g\n", p, 100 * row.half_width());
   }
-  for (const rc_law_node& node : law.nodes()) {
+  for (const rc_law_point& node : law.nodes()) {
     if (node.p > 0) nodes += format("%.9g %.9g\n", node.x / length.factor, node.p / pressure.factor);
   }
   const std::string p_label = "pressure [" + pressure.symbol + "Pa]";

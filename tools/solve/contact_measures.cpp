@@ -23,7 +23,7 @@ ContactMeasures measure(const Problem& problem, const std::vector<double>& press
   found.patches = patches.count;
   found.largest_patch = areas.empty() ? 0 : *std::ranges::max_element(areas);
 
-  check(rc_crossing_find(&problem.system, RC_IN(pressure.data()), RC_IN(mask), &found.crosses), "");
+  check(rc_crossing_find(&problem.system, RC_IN(pressure.data()), RC_IN(mask), &found.contact_crosses, &found.gap_crosses), "");
   return found;
 }
 

@@ -20,7 +20,7 @@ struct ContactMeasures {
   double corrected_area = 0;  // less what partly touching cells add [m^2]
   std::int64_t patches = 0;   // connected across edges
   double largest_patch = 0;   // its area [m^2]
-  rc_crossing crosses = RC_CROSSING_INIT;
+  std::int32_t contact_crosses = RC_CROSSES_NONE, gap_crosses = RC_CROSSES_NONE;
 };
 
 ContactMeasures measure(const Problem& problem, const std::vector<double>& pressure);

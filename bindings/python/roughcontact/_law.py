@@ -20,7 +20,7 @@ from ._paths import Path, as_path
 from ._pressed import pressed
 from ._slip import Slip
 from ._status import Status
-from ._structs import rc_law_export_spec, rc_law_info, rc_law_node, rc_law_point, rc_law_spec, rc_progress_fn
+from ._structs import rc_law_export_spec, rc_law_info, rc_law_point, rc_law_spec, rc_progress_fn
 from ._threads import with_threads
 from ._use import OwnsHandle
 from .context import Context, Options, OptionSet
@@ -75,10 +75,10 @@ class Law(OwnsHandle):
 
     @property
     def nodes(self) -> Dict[str, Doubles]:
-        """The members of `rc_law_node`, each as an array over the nodes."""
+        """The members of `rc_law_point`, each as an array over the nodes."""
         found = []
         for i in range(int(self.info["nodes"])):
-            node = rc_law_node()
+            node = rc_law_point()
             check(contact_library().rc_law_describe_node(self._handle, i, node))
             found.append(_members(node))
         return {name: np.array([node[name] for node in found]) for name in found[0] if name != "reserved"}

@@ -132,11 +132,6 @@ class rc_histogram(Sized):
 
 
 @struct
-class rc_crossing(Sized):
-    members = "size_t struct_size; int32_t contact_x contact_y gap_x gap_y"
-
-
-@struct
 class rc_law_spec(Sized):
     members = """size_t struct_size; rc_const_array undeformed_gap mask;
     double area p_lower p_upper tolerance=0.001 tolerance_conductance; int32_t bulk reserved;
@@ -151,17 +146,10 @@ class rc_law_info(Sized):
 
 
 @struct
-class rc_law_node(Sized):
-    members = """size_t struct_size;
-    double x p p_lower p_upper slope slope_lower slope_upper energy area_fraction area_lower area_upper;
-    double between_lower between_upper; int32_t bounds reserved"""
-
-
-@struct
 class rc_law_point(Sized):
     members = """size_t struct_size;
-    double x p p_lower p_upper slope energy area_fraction area_lower area_upper conductance conductance_lower;
-    double conductance_upper"""
+    double x p p_lower p_upper slope slope_lower slope_upper energy area_fraction area_lower area_upper;
+    double conductance conductance_lower conductance_upper between_lower between_upper; int32_t bounds reserved"""
 
 
 @struct
@@ -176,11 +164,6 @@ class rc_law_export_spec(Sized):
 
 
 rc_log_fn = callback(None, int32_t, text, handle)
-
-
-@struct
-class rc_context_config(Sized):
-    members = "size_t struct_size; uint32_t flags reserved; text plugin_path; rc_log_fn log; handle log_user"
 
 
 @struct

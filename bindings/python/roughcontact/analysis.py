@@ -26,6 +26,7 @@ from ._arrays import (
     as_mask,
     as_pitch,
     given,
+    pointer,
     refuse_one_row,
 )
 from ._c import members_for
@@ -34,7 +35,7 @@ from ._errors import ArgumentError, ShapeError
 from ._library import contact_library
 from ._brief import brief
 from ._status import Status
-from ._structs import rc_area, rc_crossing, rc_histogram, rc_patches, rc_result
+from ._structs import rc_area, rc_histogram, rc_patches, rc_result
 from .context import Context, Options, OptionSet
 from .system import Repeats, System, axes_of, grid_struct
 
@@ -206,10 +207,15 @@ def crossing(pressure: ArrayLike, *, pitch: Pitch = 1.0, periodic: Repeats = Fal
     are connected across edges, and a masked one belongs to neither. pitch does not matter. Others as in `area`.
     """
     system, p, m = _grid(pressure, pitch, periodic, mask)
-    out = rc_crossing()
-    check(contact_library().rc_crossing_find(system, array_in(p), array_in(m), out))
-    along = {(0, 0): "none", (1, 0): "x", (0, 1): "y", (1, 1): "xy"}
-    return Crossing(along[out.contact_x, out.contact_y], along[out.gap_x, out.gap_y], axes_of(periodic))
+    contact, gap = np.zeros(1, np.int32), np.zeros(1, np.int32)
+    check(contact_library().rc_crossing_find(system, array_in(p), array_in(m), pointer(contact), pointer(gap)))
+    axes = {
+        _constants.RC_CROSSES_NONE: "none",
+        _constants.RC_CROSSES_X: "x",
+        _constants.RC_CROSSES_Y: "y",
+        _constants.RC_CROSSES_X + _constants.RC_CROSSES_Y: "xy",
+    }
+    return Crossing(axes[int(contact[0])], axes[int(gap[0])], axes_of(periodic))
 
 
 def conductance(result: Any, rho1: float, rho2: float) -> Conductance:

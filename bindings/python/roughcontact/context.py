@@ -19,7 +19,7 @@ from ._errors import OptionError
 from ._kernel import Symbol, register
 from ._library import contact_library
 from ._paths import Path, as_path
-from ._structs import rc_component, rc_context_config, rc_log_fn
+from ._structs import rc_component, rc_log_fn
 from ._use import OwnsHandle
 
 OptionValue = Union[int, float, str]
@@ -86,16 +86,12 @@ class Context(OwnsHandle):
         log: Optional[Callable[[str, str], object]] = None,
     ) -> None:
         library = contact_library()
-        config = rc_context_config()
-        config.flags = (0 if plugins else _constants.RC_CONTEXT_NO_PLUGINS) | (
-            0 if environment else _constants.RC_CONTEXT_NO_ENVIRONMENT
-        )
+        flags = (0 if plugins else _constants.RC_CONTEXT_NO_PLUGINS) | (0 if environment else _constants.RC_CONTEXT_NO_ENVIRONMENT)
         folders = [plugin_path] if isinstance(plugin_path, (str, bytes, os.PathLike)) else plugin_path
-        config.plugin_path = b":".join(map(as_path, folders)) or None
+        path = b":".join(map(as_path, folders)) or None
         self._log = rc_log_fn() if log is None else rc_log_fn(_guarded_log(log))
-        config.log = self._log
         handle = ctypes.c_void_p()
-        check(library.rc_context_create(config, handle))
+        check(library.rc_context_create(flags, path, self._log, None, handle))
         self.handle = handle
         weakref.finalize(self, library.rc_context_destroy, handle).atexit = False
 

@@ -85,55 +85,33 @@ template <class Function> double lowest(double last, const Function& function) {
 
 // The kernel galerkin has f = 1 and all waves of the lattice add what is positive: the least f is a share of it. The waves that
 // the lattice resolves alone give a bound as well: 2 f/q times the squares of the transforms of two cells, (2/pi)^4 at least.
-rc_status bounds(const rc_host* host, const rc_kernel_spec* spec, rc_kernel_bounds* out) {
+rc_status bounds(const rc_host* host, const rc_kernel_spec* spec, double* least, double* galerkin_share) {
   return roughcontact::guard(host, own, [&] {
     const Response response(layer_of(host, *spec));
     const rc_system& s = *spec->system;
     const double t = response.layer().thickness;
     if (s.boundary == RC_BOUNDARY_PERIODIC) return;  // the library looks the lowest eigenvalue up
-    out->galerkin_share =
-        std::min(lowest(1e3 / t, [&](double q) { return response.f(q * t); }), (1 - 1e-3) * response.long_waves());
+    *galerkin_share = std::min(lowest(1e3 / t, [&](double q) { return response.f(q * t); }), (1 - 1e-3) * response.long_waves());
     const double resolved =
         lowest(std::hypot(std::numbers::pi / s.hx, std::numbers::pi / s.hy), [&](double q) { return 2 / q * response.f(q * t); });
-    out->lowest = std::pow(2 / std::numbers::pi, 4) * resolved;
+    *least = std::pow(2 / std::numbers::pi, 4) * resolved;
   });
 }
 
-constexpr rc_option_spec real_option(const char* key, const char* value, double maximum, const char* help) {
-  return {.struct_size = sizeof(rc_option_spec),
-          .key = key,
-          .default_value = value,
-          .choices = nullptr,
-          .help = help,
-          .type = RC_TYPE_REAL,
-          .fixed = 1,
-          .minimum = 0,
-          .maximum = maximum};
-}
-constexpr rc_option_spec text_option(const char* key, const char* value, const char* choices, const char* help) {
-  return {.struct_size = sizeof(rc_option_spec),
-          .key = key,
-          .default_value = value,
-          .choices = choices,
-          .help = help,
-          .type = RC_TYPE_TEXT,
-          .fixed = 1,
-          .minimum = 0,
-          .maximum = 0};
-}
+using roughcontact::real_option, roughcontact::text_option;
 
-constexpr rc_option_spec thickness = real_option("layer.thickness", "0", 1e30,
-                                                 "thickness of the layer [length]; required by the kernel layer"),
-                         modulus = real_option("layer.modulus", "0", 1e30,
-                                               "E1/(1-nu1^2) of the layer [force/length^2]; 0: the modulus of the system"),
-                         poisson = real_option("layer.poisson", "0.3", 0.5, "Poisson's ratio of the layer"),
-                         substrate = real_option("layer.substrate_poisson", "0.3", 0.5,
-                                                 "Poisson's ratio of the half-space below a bonded layer"),
-                         base = text_option("layer.base", "half-space", "half-space|rigid",
-                                            "below the layer: a half-space with the modulus of the system, or a rigid body"),
-                         interface = text_option("layer.interface", "bonded", "bonded|frictionless",
-                                                 "the layer sticks to its base, or slides on it and never leaves it");
-constexpr const rc_option_spec* options[] = {&base, &interface, &modulus, &poisson, &substrate, &thickness};
+constexpr rc_component thickness = real_option("layer.thickness", "0", 0, 1e30,
+                                               "thickness of the layer [length]; required by the kernel layer"),
+                       modulus = real_option("layer.modulus", "0", 0, 1e30,
+                                             "E1/(1-nu1^2) of the layer [force/length^2]; 0: the modulus of the system"),
+                       poisson = real_option("layer.poisson", "0.3", 0, 0.5, "Poisson's ratio of the layer"),
+                       substrate = real_option("layer.substrate_poisson", "0.3", 0, 0.5,
+                                               "Poisson's ratio of the half-space below a bonded layer"),
+                       base = text_option("layer.base", "half-space", "half-space|rigid",
+                                          "below the layer: a half-space with the modulus of the system, or a rigid body"),
+                       interface = text_option("layer.interface", "bonded", "bonded|frictionless",
+                                               "the layer sticks to its base, or slides on it and never leaves it");
+constexpr const rc_component* options[] = {&base, &interface, &modulus, &poisson, &substrate, &thickness};
 
 }  // namespace
 

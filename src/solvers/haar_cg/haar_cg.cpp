@@ -21,23 +21,23 @@ namespace rc {
 
 namespace {
 
-constexpr rc_option_spec products =
+constexpr rc_component products =
     text_option("haar-cg.products", "mixed", "mixed|double", "mixed: single precision, corrected by some in double precision");
-constexpr rc_option_spec nested = int_option("haar-cg.nested", "1", 0, 1, "1: without a start, begin on coarser grids");
-constexpr rc_option_spec patience_option =
+constexpr rc_component nested = int_option("haar-cg.nested", "1", 0, 1, "1: without a start, begin on coarser grids");
+constexpr rc_component patience_option =
     int_option("haar-cg.patience", "120", 0, 1e6,
                "rounds of steps that may fail to halve the residual before the exact fallback takes over");
-constexpr rc_option_spec inverse =
+constexpr rc_component inverse =
     int_option("haar-cg.inverse", "600", 0, 4096,
                "largest number of points in contact for which similar steps keep the inverse of H on them, 4 bytes a pair");
 constexpr std::string_view mixed_products = "mixed";
-const rc_option_spec* const haar_specs[] = {&products, &nested, &patience_option, &inverse};
+const rc_component* const haar_specs[] = {&products, &nested, &patience_option, &inverse};
 
 constexpr std::int64_t few_overlaps = 16;  // points without a gap at the approach: then all products are in double precision
 
 // Whether products in single precision save anything: not if few points overlap, which a step or two solve to all digits.
 bool worth_mixing(const Problem& problem) {
-  if (!problem.has_float() || problem.option_text(products.key) != mixed_products) return false;
+  if (!problem.has_float() || problem.option_text(products.name) != mixed_products) return false;
   if (problem.load_control()) return true;
   std::int64_t overlaps = 0;
   for (std::int64_t i = 0; i < problem.size() && overlaps <= few_overlaps; ++i) overlaps += problem.penetration(i) > 0 ? 1 : 0;
@@ -109,8 +109,8 @@ rc_status solve(const Problem& problem, std::span<double> p, double& d) {
 rc_status score(const rc_facts* facts, rc_estimate* estimate) {
   estimate->seconds = with_the_rest(*facts, iterating(*facts, 40));
   // Five vectors and the free set; u is made where it is read. The trees lie in one of the vectors.
-  const bool mixed =
-      (facts->caps & RC_CAP_FLOAT) != 0 && roughcontact::option_text(facts->host, facts->options, products.key) == mixed_products;
+  const bool mixed = (facts->caps & RC_CAP_FLOAT) != 0 &&
+                     roughcontact::option_text(facts->host, facts->options, products.name) == mixed_products;
   estimate->bytes = (5 * (mixed ? sizeof(float) : sizeof(double)) + 4) * static_cast<double>(facts->n);
   return RC_OK;
 }

@@ -61,8 +61,7 @@ class Contact {
       : Contact(memory_limit, grid_of(n), plugin) {}
   Contact(double memory_limit, const rc_system& system, const rc_plugin* plugin) {
     const auto hear = [](std::int32_t, const char* message, void* user) { static_cast<Contact*>(user)->hear(message); };
-    const rc_context_config config = {sizeof config, RC_CONTEXT_NO_PLUGINS, 0, nullptr, hear, this};
-    assert_int_equal(rc_context_create(&config, &context_), RC_OK);
+    assert_int_equal(rc_context_create(RC_CONTEXT_NO_PLUGINS, nullptr, hear, this, &context_), RC_OK);
     assert_int_equal(rc_context_register(context_, plugin), RC_OK);
     assert_int_equal(rc_options_create(context_, &options_), RC_OK);
     assert_int_equal(rc_options_set_number(options_, "cuda-host.memory_limit", memory_limit), RC_OK);

@@ -90,7 +90,7 @@ void judge_curve(const rc_law* law, std::mt19937& generator, Count& count) {
 // Between proven intervals the slope jumps only on a kink of the exact curve, with x = approach.
 void judge_slopes(const rc_law* law, ExactLaw& exact, Count& count) {
   for (std::int64_t i = 2; i + 1 < describe(law).nodes; ++i) {
-    rc_law_node node = RC_LAW_NODE_INIT, previous = RC_LAW_NODE_INIT;
+    rc_law_point node = RC_LAW_POINT_INIT, previous = RC_LAW_POINT_INIT;
     rc_law_describe_node(law, i, &node), rc_law_describe_node(law, i - 1, &previous);
     if (node.bounds != RC_LAW_CONVEX || previous.bounds != RC_LAW_CONVEX) continue;
     const double left = value(law, std::nextafter(node.x, 0)).slope, right = value(law, node.x).slope;

@@ -45,9 +45,9 @@ void nodes_are_on_the_curve_and_few() {
   check_equal(info.bounds, RC_LAW_CONVEX, "bounds");
   check(info.nodes <= 110, std::to_string(info.nodes) + " nodes");
   check(info.width <= 1e-3 && info.energy_error < 1e-3, "width " + text(info.width) + ", energy " + text(info.energy_error));
-  rc_law_node before = RC_LAW_NODE_INIT;
+  rc_law_point before = RC_LAW_POINT_INIT;
   for (std::int64_t i = 0; i < info.nodes; ++i) {
-    rc_law_node node = RC_LAW_NODE_INIT;
+    rc_law_point node = RC_LAW_POINT_INIT;
     check_equal(rc_law_describe_node(law.get(), i, &node), RC_OK, "node");
     const rc_law_point point = evaluate(law.get(), node.x);
     check(std::abs(point.p - node.p) <= 1e-12 * node.p, "p of node " + std::to_string(i));
@@ -65,7 +65,7 @@ void the_conductance_is_as_exact_as_asked() {
   const LawHandle law = made(patch);
   int wide = 0;
   for (std::int64_t i = 1; i + 1 < describe(law.get()).nodes; ++i) {
-    rc_law_node node = RC_LAW_NODE_INIT, next = RC_LAW_NODE_INIT;
+    rc_law_point node = RC_LAW_POINT_INIT, next = RC_LAW_POINT_INIT;
     rc_law_describe_node(law.get(), i, &node), rc_law_describe_node(law.get(), i + 1, &next);
     if ((node.between_upper / node.between_lower - 1) / 2 <= 0.01) continue;
     ++wide;  // a jump: enclosed by a short interval
@@ -130,7 +130,7 @@ void level_stretches_with_a_mean_gap() {
         all.message);
 }
 
-void overflow_is_told_from_a_closed_patch() {
+void overflow_is_not_taken_for_a_closed_patch() {
   Patch patch = usual_patch(16);
   rc_system& system = patch.problem.system;
   system.boundary = RC_BOUNDARY_FREE;
@@ -243,7 +243,7 @@ int main(int argc, char** argv) {
                            {"the conductance is as exact as asked", the_conductance_is_as_exact_as_asked},
                            {"a matrix is proven by the signs of its inverse", a_matrix_is_proven_by_the_signs_of_its_inverse},
                            {"level stretches with a mean gap", level_stretches_with_a_mean_gap},
-                           {"overflow is told from a closed patch", overflow_is_told_from_a_closed_patch},
+                           {"overflow is not taken for a closed patch", overflow_is_not_taken_for_a_closed_patch},
                            {"the datum does not matter", the_datum_does_not_matter},
                            {"no bound is beyond the hardness", no_bound_is_beyond_the_hardness},
                            {"bad input is refused", bad_input_is_refused}},

@@ -90,7 +90,7 @@ void means_what_it_meant(const Stored& each) {
   }
 }
 
-// The numbers of a node stand in the file in the order of rc_law_node; its kind is the last.
+// The numbers of a node stand in the file in the order of rc_law_point; its kind is the last.
 void members_have_their_places(const Stored& each) {
   const std::string path = std::string(RC_TEST_DATA "/laws/") + each.file;
   const LawHandle law = loaded(path, each.status);
@@ -100,7 +100,7 @@ void members_have_their_places(const Stored& each) {
   text >> count;
   check_equal(count, each.nodes, "nodes in the file");
   for (std::int64_t i = 0; i < count; ++i) {
-    rc_law_node n = RC_LAW_NODE_INIT;
+    rc_law_point n = RC_LAW_POINT_INIT;
     check_equal(rc_law_describe_node(law.get(), i, &n), RC_OK, rc_last_error());
     for (const double member : {n.x, n.p, n.p_lower, n.p_upper, n.slope, n.slope_lower, n.slope_upper, n.energy, n.area_fraction,
                                 n.area_lower, n.area_upper, n.between_lower, n.between_upper}) {

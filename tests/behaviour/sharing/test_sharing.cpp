@@ -27,7 +27,7 @@ template <class T> using Owned = std::unique_ptr<T, Destroy>;
 
 Owned<rc_context> context() {
   rc_context* made = nullptr;
-  assert_int_equal(rc_context_create(nullptr, &made), RC_OK);
+  assert_int_equal(rc_context_create(0, nullptr, nullptr, nullptr, &made), RC_OK);
   return Owned<rc_context>(made);
 }
 

@@ -56,7 +56,7 @@ void contexts_come_and_go_in_every_thread(void**) {
   for (int round = 0; round < rounds(8); ++round)
     together([](int member) -> std::string {
       rc_context* context = nullptr;
-      if (const rc_status status = rc_context_create(nullptr, &context); status != RC_OK)
+      if (const rc_status status = rc_context_create(0, nullptr, nullptr, nullptr, &context); status != RC_OK)
         return complain("rc_context_create", status);
       const Options options = options_for(jobs()[member % 2 == 0 ? 1 : 3], context);
       const bool complete = rc_component_count(context, RC_COMPONENT_BACKEND) >= 2 &&
@@ -73,7 +73,7 @@ void a_fresh_context_is_first_used_by_all_threads_at_once(void**) {
   if (!has_fft()) skip();
   for (int round = 0; round < rounds(8); ++round) {
     rc_context* context = nullptr;
-    assert_int_equal(rc_context_create(nullptr, &context), RC_OK);
+    assert_int_equal(rc_context_create(0, nullptr, nullptr, nullptr, &context), RC_OK);
     const std::int64_t expected = rc_component_count(nullptr, RC_COMPONENT_BACKEND);
     together([&](int member) -> std::string {
       if (member % 2 == 0 && rc_component_count(context, RC_COMPONENT_BACKEND) != expected) return "backends are missing";
@@ -90,7 +90,7 @@ void one_of_eight_registrations_wins(void**) {
   const rc_plugin* plugin = nullptr;
   assert_int_equal(rc_builtin_linked(nullptr, &plugin), RC_OK);
   rc_context* context = nullptr;
-  assert_int_equal(rc_context_create(nullptr, &context), RC_OK);
+  assert_int_equal(rc_context_create(0, nullptr, nullptr, nullptr, &context), RC_OK);
   std::atomic<int> winners{0};
   together([&](int) -> std::string {
     const rc_status status = rc_context_register(context, plugin);
@@ -126,7 +126,7 @@ void progress_runs_on_the_solving_thread(void**) {
   });
 }
 
-// An operator that keeps a solver busy until it is told to stop.
+// An operator that keeps a solver busy until it must stop.
 struct Endless {
   std::atomic<bool> running{false};
 
@@ -168,7 +168,7 @@ void another_thread_cancels(void**) {
   });
 }
 
-// All threads want the same contact: each gets an answer or is told to wait.
+// All threads want the same contact: each gets an answer or must wait.
 void a_contact_serves_one_thread_and_tells_the_others(void**) {
   rc_system system = support::unit_system();
   system.nx = system.ny = 12;

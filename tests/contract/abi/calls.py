@@ -139,7 +139,7 @@ def main():
     core = ctypes.CDLL(sys.argv[2])
     system = made('rc_system', None)
     HANDLES.update(
-        rc_context=handle(core.rc_context_create, None),
+        rc_context=handle(core.rc_context_create, 0, None, None, None),
         rc_options=handle(core.rc_options_create, None),
         rc_contact=handle(core.rc_contact_create, ctypes.byref(system), None),
         rc_product=handle(core.rc_product_create, ctypes.byref(system), None),

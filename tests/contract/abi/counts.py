@@ -9,7 +9,7 @@ import pathlib
 import re
 import sys
 
-LIMITS = {'functions': 100, 'structs': 59}
+LIMITS = {'functions': 100, 'structs': 54}
 APART = {'flow.h': 'flow.h', 'request.h': 'request.h', 'budget.h': 'request.h'}
 
 found = collections.defaultdict(lambda: {'functions': set(), 'structs': set()})

@@ -118,7 +118,7 @@ void nan_is_not_hidden(const rc_backend& backend) {
 void every_choice_of_an_option_gives_the_same_product(const rc_backend& backend) {
   for (std::int64_t i = 0; i < backend.n_options; ++i) {
     if (!backend.options[i]->choices) continue;
-    const std::string key = backend.options[i]->key, choices = backend.options[i]->choices;
+    const std::string key = backend.options[i]->name, choices = backend.options[i]->choices;
     for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {
       end = choices.find('|', begin);
       const std::string choice = choices.substr(begin, end - begin);

@@ -28,7 +28,7 @@ rc_status StandInHost::value(const rc_options* options, const char* key, const s
 
 StandInHost::StandInHost(const rc_backend& backend)
     : rc_host{}, options_{{"threads", "1"}, {"tol", "1e-3"}, {"resumable", "0"}, {"accuracy", "0"}, {"accuracy.of", "load"}} {
-  for (std::int64_t i = 0; i < backend.n_options; ++i) options_[backend.options[i]->key] = backend.options[i]->default_value;
+  for (std::int64_t i = 0; i < backend.n_options; ++i) options_[backend.options[i]->name] = backend.options[i]->default_value;
   struct_size = sizeof(rc_host);
   abi_major = RC_PLUGIN_ABI_MAJOR;
   abi_minor = RC_PLUGIN_ABI_MINOR;

@@ -29,8 +29,8 @@ void caps_agree_with_functions(const rc_backend& backend) {
   assert_true(std::strlen(backend.summary) > 0 && std::strlen(backend.license) > 0);
   const std::string prefix = std::string(backend.name) + ".";
   for (std::int64_t i = 0; i < backend.n_options; ++i) {
-    assert_true(backend.options[i]->struct_size == sizeof(rc_option_spec));
-    assert_true(std::string(backend.options[i]->key).find(prefix) == 0);
+    assert_true(backend.options[i]->struct_size == sizeof(rc_component));
+    assert_true(std::string(backend.options[i]->name).find(prefix) == 0);
   }
 }
 

@@ -25,14 +25,13 @@ struct Call {
   rc_histogram histogram = RC_HISTOGRAM_INIT;
   rc_area* area_given = &area;
   rc_patches* patches_given = &patches;
-  rc_crossing crossing = RC_CROSSING_INIT;
+  std::int32_t contact_crosses = 99, gap_crosses = 99;
   rc_histogram* histogram_given = &histogram;
-  rc_crossing* crossing_given = &crossing;
+  std::int32_t *contact_given = &contact_crosses, *gap_given = &gap_crosses;
 
   Call() {
     area = RC_AREA_INIT;
     area.contacts = patches.count = histogram.contacts = 99;
-    crossing.gap_y = 99;
     patches.room = histogram.bins = 4;
     patches.label = RC_OUT(label.data());
     patches.load = RC_OUT(load.data());
@@ -47,7 +46,8 @@ struct Call {
       for (const std::int64_t value : *numbers) assert_true(value == -7);
     for (const auto* values : {&load, &density})
       for (const double value : *values) assert_true(value == untouched);
-    assert_true(area.contacts == 99 && patches.count == 99 && histogram.contacts == 99 && crossing.gap_y == 99);
+    assert_true(area.contacts == 99 && patches.count == 99 && histogram.contacts == 99 && contact_crosses == 99 &&
+                gap_crosses == 99);
   }
 };
 
@@ -58,7 +58,7 @@ Outcome filled(const Call& c) {
 }
 
 Outcome crossed(const Call& c) {
-  return rc_crossing_find(c.system_given, RC_IN(c.p_given), RC_IN(c.mask.data()), c.crossing_given);
+  return rc_crossing_find(c.system_given, RC_IN(c.p_given), RC_IN(c.mask.data()), c.contact_given, c.gap_given);
 }
 
 Outcome punched(const Scene& scene, double* stiffness) {
@@ -103,13 +103,18 @@ Section analyses() {
              c.area_given = nullptr;
              c.patches_given = nullptr;
              c.histogram_given = nullptr;
-             c.crossing_given = nullptr;
+             c.gap_given = nullptr;
            })},
+          {"crossing: contact is null",
+           refused,
+           {"rc_crossing_find: contact is null"},
+           one_with(crossed, [](Call& c) { c.contact_given = nullptr; })},
           {"analysis: struct_size = 0",
            refused,
            {"rc_histogram_fill: rc_histogram.struct_size = " + too_small<rc_histogram>(0) + "; set it to sizeof(rc_histogram)"},
            all_with([](Call& c) {
-             c.area.struct_size = c.patches.struct_size = c.histogram.struct_size = c.crossing.struct_size = 0;
+             c.area.struct_size = c.patches.struct_size = c.histogram.struct_size = 0;
+             c.gap_given = nullptr;  // it has no struct
            })},
           {"analysis: nx = 0", shape, {"rc_histogram_fill: nx = 0, ny = 4 must both be >= 1"}, all_with([](Call& c) {
              c.system.nx = 0;

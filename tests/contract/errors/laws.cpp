@@ -221,7 +221,7 @@ Section laws() {
            refused,
            {"rc_law_describe_node: i = -1 is none of ", " nodes"},
            [] {
-             rc_law_node node = RC_LAW_NODE_INIT;
+             rc_law_point node = RC_LAW_POINT_INIT;
              return rc_law_describe_node(usual_law(), -1, &node);
            }},
           {"`rc_law_pressure`: x = NaN",

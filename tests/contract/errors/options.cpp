@@ -77,7 +77,7 @@ Outcome options_of_another_context() {
   const Scene scene;
   const ContactHandle contact = made(scene);
   rc_context* context = nullptr;
-  assert_int_equal(rc_context_create(nullptr, &context), RC_OK);
+  assert_int_equal(rc_context_create(0, nullptr, nullptr, nullptr, &context), RC_OK);
   const ContextHandle keep(context);
   rc_options* options = nullptr;
   assert_int_equal(rc_options_create(context, &options), RC_OK);
@@ -374,21 +374,11 @@ Section names() {
            [] { return described(5, 0); }},
           {"context with unknown flags",
            RC_ERR_ARGUMENT,
-           {"rc_context_create: rc_context_config.flags = 12 has unknown bits"},
+           {"rc_context_create: flags = 12 has unknown bits; there are RC_CONTEXT_NO_PLUGINS (1) and RC_CONTEXT_NO_ENVIRONMENT "
+            "(2)"},
            [] {
-             rc_context_config config = RC_CONTEXT_CONFIG_INIT;
-             config.flags = 12;
              rc_context* context = nullptr;
-             return rc_context_create(&config, &context);
-           }},
-          {"context with reserved = 1",
-           RC_ERR_ARGUMENT,
-           {"rc_context_create: rc_context_config.reserved = 1 must be 0"},
-           [] {
-             rc_context_config config = RC_CONTEXT_CONFIG_INIT;
-             config.reserved = 1;
-             rc_context* context = nullptr;
-             return rc_context_create(&config, &context);
+             return rc_context_create(12, nullptr, nullptr, nullptr, &context);
            }},
       }};
 }

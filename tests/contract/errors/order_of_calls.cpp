@@ -142,7 +142,7 @@ Outcome result_over_its_input() {
 // Contacts and options that were made from a context outlive it.
 Outcome context_destroyed_first() {
   rc_context* context = nullptr;
-  assert_int_equal(rc_context_create(nullptr, &context), RC_OK);
+  assert_int_equal(rc_context_create(0, nullptr, nullptr, nullptr, &context), RC_OK);
   rc_options* made_options = nullptr;
   assert_int_equal(rc_options_create(context, &made_options), RC_OK);
   OptionsHandle options(made_options);

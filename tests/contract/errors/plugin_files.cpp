@@ -18,11 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 
 rc_status name_backend(const char* plugin_path, std::uint32_t flags, const char* backend) {
-  rc_context_config config = RC_CONTEXT_CONFIG_INIT;
-  config.flags = flags;
-  config.plugin_path = plugin_path;
   rc_context* context = nullptr;
-  assert_int_equal(rc_context_create(&config, &context), RC_OK);
+  assert_int_equal(rc_context_create(flags, plugin_path, nullptr, nullptr, &context), RC_OK);
   const ContextHandle keep(context);
   rc_options* options = nullptr;
   assert_int_equal(rc_options_create(context, &options), RC_OK);
@@ -51,7 +48,7 @@ template <class Change> auto registering(const Change& change) {
         sizeof(rc_plugin), RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR, "mine", "1.0", 0, 0, 0, nullptr, nullptr, nullptr};
     change(plugin);
     rc_context* context = nullptr;
-    assert_int_equal(rc_context_create(nullptr, &context), RC_OK);
+    assert_int_equal(rc_context_create(0, nullptr, nullptr, nullptr, &context), RC_OK);
     const ContextHandle keep(context);
     return Outcome(rc_context_register(context, &plugin));
   };
@@ -80,8 +77,8 @@ rc_status decay_symbol(const rc_host*, const rc_kernel_spec* spec, double* out) 
   return RC_OK;
 }
 
-rc_status decay_bounds(const rc_host*, const rc_kernel_spec* spec, rc_kernel_bounds* out) {
-  out->lowest = of(spec).lowest;
+rc_status decay_bounds(const rc_host*, const rc_kernel_spec* spec, double* lowest, double*) {
+  *lowest = of(spec).lowest;
   return RC_OK;
 }
 
@@ -104,7 +101,7 @@ template <class Use> Outcome with_kernel(const Use& use, Spoilt spoilt, std::uin
                             .n_kernels = 1,
                             .kernels = kernels};
   rc_context* context = nullptr;
-  assert_int_equal(rc_context_create(nullptr, &context), RC_OK);
+  assert_int_equal(rc_context_create(0, nullptr, nullptr, nullptr, &context), RC_OK);
   const ContextHandle keep(context);
   if (const rc_status status = rc_context_register(context, &plugin); status != RC_OK) return status;
   rc_options* options = nullptr;

@@ -37,10 +37,8 @@ std::vector<std::string> names(rc_context* context, std::int32_t kind) {
 }  // namespace
 
 rc_context* make_context() {
-  rc_context_config config = RC_CONTEXT_CONFIG_INIT;
-  config.plugin_path = RC_PLUGINS;
   rc_context* context = nullptr;
-  return rc_context_create(&config, &context) == RC_OK ? context : nullptr;
+  return rc_context_create(0, RC_PLUGINS, nullptr, nullptr, &context) == RC_OK ? context : nullptr;
 }
 
 std::vector<Option> all_options(rc_context* context) {

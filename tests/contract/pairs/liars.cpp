@@ -98,7 +98,7 @@ const rc_plugin plugin = {
 
 Context make_context() {
   rc_context* made = nullptr;
-  check(rc_context_create(nullptr, &made) == RC_OK, rc_last_error());
+  check(rc_context_create(0, nullptr, nullptr, nullptr, &made) == RC_OK, rc_last_error());
   Context context(made);
   check(rc_context_register(made, &plugin) == RC_OK, rc_last_error());
   return context;

@@ -161,7 +161,7 @@ void other_solvers_see_doubles() {
   const rc_step step = given.step(true);
   for (const char* first : {"none", "haar-cg"}) {
     rc_context* made = nullptr;
-    rc_status status = rc_context_create(nullptr, &made);
+    rc_status status = rc_context_create(0, nullptr, nullptr, nullptr, &made);
     check(status == RC_OK, rc_last_error());
     const Context context(made);
     status = rc_context_register(made, &plugin);

@@ -53,9 +53,18 @@
 #define FIXTURE_ANSWER ((void)host, *out = &plugin, RC_OK)
 #endif
 
-static const rc_option_spec order = {
-    sizeof(rc_option_spec), FIXTURE_KEY, FIXTURE_DEFAULT, "rows|columns", "order of the sum", RC_TYPE_TEXT, 0, 0.0, 0.0};
-static const rc_option_spec* const options[] = {&order};
+static const rc_component order = {sizeof(rc_component),
+                                   FIXTURE_KEY,
+                                   "order of the sum",
+                                   NULL,
+                                   NULL,
+                                   FIXTURE_DEFAULT,
+                                   "rows|columns",
+                                   RC_TYPE_TEXT,
+                                   0,
+                                   0.0,
+                                   0.0};
+static const rc_component* const options[] = {&order};
 
 #define BACKEND(known, count, list)                                                                                  \
   {                                                                                                                  \

@@ -38,9 +38,9 @@ inline rc_status decay_symbol(const rc_host*, const rc_kernel_spec* spec, double
   return RC_OK;
 }
 
-inline rc_status decay_bounds(const rc_host*, const rc_kernel_spec* spec, rc_kernel_bounds* out) {
-  out->lowest = of(spec).lowest;
-  out->galerkin_share = of(spec).share;
+inline rc_status decay_bounds(const rc_host*, const rc_kernel_spec* spec, double* lowest, double* galerkin_share) {
+  *lowest = of(spec).lowest;
+  *galerkin_share = of(spec).share;
   return RC_OK;
 }
 

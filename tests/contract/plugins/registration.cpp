@@ -89,7 +89,7 @@ void spoilt_backends_are_refused(void**) {
   assert_int_equal(backend_registered([](rc_backend& b) { b.modelled = nullptr; }), RC_ERR_PLUGIN);
   assert_int_equal(backend_registered([](rc_backend& b) { b.options = nullptr; }), RC_ERR_PLUGIN);
   assert_message_has("has options, but the list is null");
-  static const rc_option_spec* const nothing[] = {nullptr};
+  static const rc_component* const nothing[] = {nullptr};
   assert_int_equal(backend_registered([](rc_backend& b) { b.options = nothing; }), RC_ERR_PLUGIN);
   assert_message_has("option 0 is null");
 }

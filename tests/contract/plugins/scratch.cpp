@@ -37,14 +37,10 @@ std::string Scratch::put_as(const std::string& fixture, const std::string& file)
 }
 
 Registry::Registry(const std::string& plugin_path, std::uint32_t flags) {
-  rc_context_config config = RC_CONTEXT_CONFIG_INIT;
-  config.flags = flags;
-  config.plugin_path = plugin_path.c_str();
-  config.log_user = &log_;
-  config.log = [](std::int32_t level, const char* message, void* user) {
+  const auto log = [](std::int32_t level, const char* message, void* user) {
     *static_cast<std::string*>(user) += (level == RC_LOG_WARNING ? "warning: " : "info: ") + std::string(message) + "\n";
   };
-  assert_int_equal(rc_context_create(&config, &context_), RC_OK);
+  assert_int_equal(rc_context_create(flags, plugin_path.c_str(), log, &log_, &context_), RC_OK);
 }
 
 Registry::~Registry() { rc_context_destroy(context_); }

@@ -38,14 +38,14 @@ static rc_status toy_kernel_symbol(const rc_host* host, const rc_kernel_spec* sp
   return RC_OK;
 }
 
-static const rc_option_spec rate = {.struct_size = sizeof(rc_option_spec),
-                                    .key = FIXTURE ".rate",
-                                    .default_value = "1",
-                                    .help = "of the decay [1/length]",
-                                    .type = RC_TYPE_REAL,
-                                    .minimum = 0.001,
-                                    .maximum = 1e9};
-static const rc_option_spec* const options[] = {&rate};
+static const rc_component rate = {.struct_size = sizeof(rc_component),
+                                  .name = FIXTURE ".rate",
+                                  .summary = "of the decay [1/length]",
+                                  .default_value = "1",
+                                  .type = RC_TYPE_REAL,
+                                  .minimum = 0.001,
+                                  .maximum = 1e9};
+static const rc_component* const options[] = {&rate};
 static const rc_kernel kernel = {.struct_size = sizeof(rc_kernel),
                                  .name = FIXTURE,
                                  .summary = "a test's",

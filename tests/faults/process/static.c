@@ -33,17 +33,15 @@ int main(void) {
   const rc_status found = solve("fft");
   printf("%s: %s\n", rc_status_name(found), rc_last_error());
   if (found != RC_ERR_PLUGIN || !strstr(rc_last_error(), "-static")) return 1;
-  rc_context* context = NULL; /* one that is told of no folder */
-  rc_context_config config = RC_CONTEXT_CONFIG_INIT;
-  config.flags = RC_CONTEXT_NO_ENVIRONMENT;
+  rc_context* context = NULL; /* one without a folder */
   rc_options* options = NULL;
   rc_contact* contact = NULL;
   rc_system system = RC_SYSTEM_INIT;
   system.boundary = RC_BOUNDARY_FREE;
   system.nx = system.ny = N;
   system.hx = system.hy = system.modulus = 1;
-  if (rc_context_create(&config, &context) != RC_OK || rc_options_create(context, &options) != RC_OK ||
-      rc_options_set_text(options, RC_OPT_BACKEND, "cholmod") != RC_OK)
+  if (rc_context_create(RC_CONTEXT_NO_ENVIRONMENT, NULL, NULL, NULL, &context) != RC_OK ||
+      rc_options_create(context, &options) != RC_OK || rc_options_set_text(options, RC_OPT_BACKEND, "cholmod") != RC_OK)
     return 1;
   const rc_status absent = rc_contact_create(&system, options, &contact);
   printf("%s: %s\n", rc_status_name(absent), rc_last_error());

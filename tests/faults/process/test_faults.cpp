@@ -157,10 +157,8 @@ class Life {
 };
 
 rc_context* made_context() {
-  rc_context_config config = RC_CONTEXT_CONFIG_INIT;
-  config.plugin_path = RC_PLUGINS;
   rc_context* context = nullptr;
-  return rc_context_create(&config, &context) == RC_OK ? context : nullptr;
+  return rc_context_create(0, RC_PLUGINS, nullptr, nullptr, &context) == RC_OK ? context : nullptr;
 }
 
 bool has(rc_context* context, const char* backend) {
@@ -234,11 +232,9 @@ void a_context_survives_every_failed_allocation(void**) {
   for (const bool forever : {false, true}) {
     bool reached = true;
     for (std::int64_t k = 1; reached; k += stride()) {
-      rc_context_config config = RC_CONTEXT_CONFIG_INIT;
-      config.plugin_path = RC_PLUGINS;
       rc_context* context = nullptr;
       support::fail_allocation(k, forever);
-      const rc_status status = rc_context_create(&config, &context);
+      const rc_status status = rc_context_create(0, RC_PLUGINS, nullptr, nullptr, &context);
       if (status == RC_OK) rc_component_count(context, RC_COMPONENT_SOLVER);
       reached = support::allocation_failed();
       support::fail_allocation(0);
@@ -258,7 +254,7 @@ void a_context_survives_every_failed_allocation(void**) {
 void a_message_needs_no_memory(void**) {
   support::fail_allocation(1, true);
   rc_context* context = nullptr;
-  const rc_status status = rc_context_create(nullptr, &context);
+  const rc_status status = rc_context_create(0, nullptr, nullptr, nullptr, &context);
   const std::string message = (support::fail_allocation(0), rc_last_error());
   assert_int_equal(status, RC_ERR_MEMORY);
   assert_string_equal(message.c_str(), "rc_context_create: out of memory");

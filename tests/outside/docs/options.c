@@ -88,11 +88,10 @@ static int has_backend(rc_context* context, const char* name) {
 }
 
 int main(void) {
-  rc_context_config config = RC_CONTEXT_CONFIG_INIT;
   rc_context* context = NULL;
   int i;
-  config.flags = RC_CONTEXT_NO_ENVIRONMENT;
-  if (rc_context_create(&config, &context) != RC_OK) return fprintf(stderr, "%s\n", rc_last_error()), 1;
+  if (rc_context_create(RC_CONTEXT_NO_ENVIRONMENT, NULL, NULL, NULL, &context) != RC_OK)
+    return fprintf(stderr, "%s\n", rc_last_error()), 1;
   for (i = 0; backends[i]; ++i) {
     /* cuda is only where there is a device; docs/device.md has its options. */
     if (strcmp(backends[i], "cuda") == 0 || has_backend(context, backends[i])) continue;

@@ -97,7 +97,7 @@ contains
     integer(c_int64_t) :: label(6, 5), counts(4)
     type(rc_area) :: area
     type(rc_histogram) :: histogram
-    type(rc_crossing) :: crossing
+    integer(c_int32_t) :: contact, gap
     type(rcf_patch), allocatable :: patches(:)
     p = 0
     p(1:2, 1) = [1, 3]
@@ -118,10 +118,10 @@ contains
     call rcf_histogram_fill(p, counts, density, histogram=histogram)
     call check('a histogram', all(counts == 1) .and. histogram%width == 1 .and. all(density == 0.25))
     p(:, 3) = 1
-    call rcf_crossing_find(p, RC_BOUNDARY_FREE, crossing)
-    call check('a ridge crosses', crossing%contact_x == 1 .and. crossing%contact_y == 0 .and. crossing%gap_x == 1)
-    call rcf_crossing_find(p, RC_BOUNDARY_FREE, crossing, mask=p < 1)
-    call check('a masked ridge does not', crossing%contact_x == 0 .and. crossing%gap_y == 0)
+    call rcf_crossing_find(p, RC_BOUNDARY_FREE, contact, gap)
+    call check('a ridge crosses', contact == RC_CROSSES_X .and. gap == RC_CROSSES_X)
+    call rcf_crossing_find(p, RC_BOUNDARY_FREE, contact, gap, mask=p < 1)
+    call check('a masked ridge does not', contact == RC_CROSSES_NONE .and. gap == RC_CROSSES_X)
   end subroutine
 
   subroutine surfaces()

@@ -82,7 +82,7 @@ void description_is_complete(void**) {
                                      RC_CAP_THREAD_INVARIANT | RC_CAP_SHIFTED | RC_CAP_NORM);
   assert_non_null(backend.subset);
   assert_int_equal(backend.n_options, 1);
-  assert_string_equal(backend.options[0]->key, "dense.memory_limit");
+  assert_string_equal(backend.options[0]->name, "dense.memory_limit");
 }
 
 void half_space_agrees_with_its_matrix(void**) {
@@ -327,7 +327,7 @@ void failures_of_the_host_pass_through(void**) {
   op.bind_all();
   VectorXd y;
   assert_int_equal(op.apply(VectorXd::Ones(25), y), RC_ERR_INTERNAL);
-  assert_message_has("no coefficients today");
+  assert_message_has("no coefficients here");
   stand_in::state().coefficients_fail = false;
   assert_int_equal(op.apply(VectorXd::Ones(25), y), RC_OK);
 }

@@ -62,7 +62,7 @@ class Listing {
  public:
   explicit Listing(bool with_solver, bool with_backend) {
     rc_context* context = nullptr;
-    assert_int_equal(rc_context_create(nullptr, &context), RC_OK);
+    assert_int_equal(rc_context_create(0, nullptr, nullptr, nullptr, &context), RC_OK);
     rc_options* options = nullptr;
     assert_int_equal(rc_options_create(context, &options), RC_OK);
     context_.reset(context);

@@ -74,7 +74,7 @@ Surface rough(std::int64_t side, std::int32_t boundary) {
 
 class Context {
  public:
-  Context() { assert_int_equal(rc_context_create(nullptr, &context_), RC_OK); }
+  Context() { assert_int_equal(rc_context_create(0, nullptr, nullptr, nullptr, &context_), RC_OK); }
   ~Context() { rc_context_destroy(context_); }
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;

@@ -65,10 +65,13 @@ class Kernel : rc_host {
     assert_int_equal(kernel_->symbol(this, &asked, out), RC_OK);
     return out[1];
   }
-  rc_kernel_bounds bounds() const {
-    rc_kernel_bounds out{sizeof(rc_kernel_bounds), 0, 0};
+  struct Bounds {
+    double lowest = 0, galerkin_share = 0;
+  };
+  Bounds bounds() const {
+    Bounds out;
     const rc_kernel_spec asked = spec(system_);
-    assert_int_equal(kernel_->bounds(this, &asked, &out), RC_OK);
+    assert_int_equal(kernel_->bounds(this, &asked, &out.lowest, &out.galerkin_share), RC_OK);
     return out;
   }
 
@@ -245,7 +248,7 @@ void what_it_promises_holds(void**) {
       const Kernel kernel(layer);
       const Eigen::MatrixXd h = matrix(kernel.window(0, 0, side, side));
       const double least = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(h, g).eigenvalues()[0];
-      const rc_kernel_bounds promised = kernel.bounds();
+      const Kernel::Bounds promised = kernel.bounds();
       if (!(promised.galerkin_share <= least)) fail_msg("share %g, least %g", promised.galerkin_share, least);
       assert_true(promised.galerkin_share > 0 || std::string(layer.base) == "rigid");
       const double lowest = h.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff();
