@@ -49,7 +49,7 @@ contains
   end subroutine
 
   subroutine rcf_contact_cancel(contact)
-    type(rcf_contact), intent(in) :: contact
+    class(rcf_contact), intent(in) :: contact
     call rc_contact_cancel(contact%handle)
   end subroutine
 
@@ -81,7 +81,7 @@ contains
   ! undeformed_gap and mask absent: as in the step before. p and gap: pressures and deformed gap, written where the status
   ! is >= 0. time: at the step's end, with creep.
   subroutine rcf_contact_solve(contact, approach, load, undeformed_gap, mask, p0, warm_start, p, gap, result, stat, errmsg, time)
-    type(rcf_contact), intent(in) :: contact
+    class(rcf_contact), intent(in) :: contact
     real(c_double), intent(in), optional :: approach, load
     real(c_double), intent(in), optional, target, contiguous :: undeformed_gap(:, :), p0(:, :)
     logical, intent(in), optional :: mask(:, :), warm_start
@@ -104,7 +104,7 @@ contains
 
   ! Certifies the pressures p; nothing is solved.
   subroutine rcf_contact_certify(contact, p, approach, load, undeformed_gap, mask, gap, result, stat, errmsg, time)
-    type(rcf_contact), intent(in) :: contact
+    class(rcf_contact), intent(in) :: contact
     real(c_double), intent(inout), target, contiguous :: p(:, :)
     real(c_double), intent(in), optional :: approach, load
     real(c_double), intent(in), optional, target, contiguous :: undeformed_gap(:, :)

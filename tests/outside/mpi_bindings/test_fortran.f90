@@ -26,12 +26,12 @@ program test_fortran
   allocate (p(nx, count), deformed(nx, count))
 
   call rcf_mpi_contact_create(contact, MPI_COMM_WORLD, system)
-  call rcf_mpi_contact_solve(contact, load=1e-4_c_double, undeformed_gap=gap, p=p, gap=deformed, result=found)
-  call rcf_mpi_contact_certify(contact, p, load=1e-4_c_double, result=judged)
+  call rcf_contact_solve(contact, load=1e-4_c_double, undeformed_gap=gap, p=p, gap=deformed, result=found)
+  call rcf_contact_certify(contact, p, load=1e-4_c_double, result=judged)
   call rcf_mpi_contact_counts(contact, counts)
-  call rcf_mpi_contact_solve(contact, load=-1.0_c_double, stat=stat, errmsg=message)
+  call rcf_contact_solve(contact, load=-1.0_c_double, stat=stat, errmsg=message)
   call require(stat == RC_ERR_INFEASIBLE, 'a load below 0 is refused: '//trim(message))
-  call rcf_mpi_contact_solve(contact, stat=stat, errmsg=message)
+  call rcf_contact_solve(contact, stat=stat, errmsg=message)
   call require(stat == RC_ERR_ARGUMENT, 'without a target')
   call rcf_mpi_contact_destroy(contact)
 
