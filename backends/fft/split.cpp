@@ -11,13 +11,16 @@ namespace {
 // Shorter ones take next to no time.
 template <class Real> inline constexpr std::int64_t least_length = 8 * width<Real>;
 
+// From one block of waves to the next.
+template <class Real> inline constexpr std::int64_t block_stride = std::int64_t{most_lines<Real>} * row_size<Real>;
+
 }  // namespace
 
 // Element j of the parts of two lines: row l is the elements l m + j and following of both.
 template <class Real> class Split<Real>::From : public Source<Real> {
  public:
-  From(const Real* line, const Real* other, std::int64_t given, std::int64_t part)
-      : Source<Real>(std::min(width<Real>, (given + part - 1) / part)), lines_{line, other}, given_(given), part_(part) {}
+  From(const Real* const* pair, std::int64_t given, std::int64_t part)
+      : Source<Real>(std::min(width<Real>, (given + part - 1) / part)), lines_{pair[0], pair[1]}, given_(given), part_(part) {}
 
   void start_at(std::int64_t j) { j_ = j; }
   void read(int part, std::int64_t first, std::int64_t count, const Real** rows) override {
@@ -45,8 +48,8 @@ template <class Real> class Split<Real>::From : public Source<Real> {
 
 template <class Real> class Split<Real>::To : public Sink<Real> {
  public:
-  To(Real* line, Real* other, std::int64_t wanted, std::int64_t part)
-      : Sink<Real>(std::min(width<Real>, (wanted + part - 1) / part)), lines_{line, other}, wanted_(wanted), part_(part) {}
+  To(Real* const* pair, std::int64_t wanted, std::int64_t part)
+      : Sink<Real>(std::min(width<Real>, (wanted + part - 1) / part)), lines_{pair[0], pair[1]}, wanted_(wanted), part_(part) {}
 
   void start_at(std::int64_t j) { j_ = j; }
   void room(int part, std::int64_t, std::int64_t count, Real** rows) override {
@@ -112,11 +115,10 @@ template <class Real> template <class Visit> void Split<Real>::for_each_wave(Rea
 }
 
 template <class Real>
-void Split<Real>::forward(const Real* line, const Real* other, std::int64_t given, Real* scratch, Real* room, Real* spectra,
-                          std::int64_t stride) const {
+void Split<Real>::forward(const Real* const* pair, std::int64_t given, Real* scratch, Real* room, Real* spectra) const {
   constexpr std::int64_t im = width<Real>;
   Real* const few = scratch + Fourier<Real>::scratch_rows(part_) * row_size<Real>;
-  From parts(line, other, given, part_);
+  From parts(pair, given, part_);
   const Real* turn = turns_.data();
   for (std::int64_t j = 0; j < part_; j += width<Real>) {
     const std::int64_t count = std::min(width<Real>, part_ - j);
@@ -137,7 +139,7 @@ void Split<Real>::forward(const Real* line, const Real* other, std::int64_t give
   LineSource<Real> source(along_.passes(), lines, part_);
   along_.forward(source, scratch);
   for_each_wave(scratch, [&](std::int64_t k, std::int64_t q, const Real* z, const Real* mirror) {
-    Real* const a = spectra + k * stride + q;
+    Real* const a = spectra + k * block_stride<Real> + q;
     a[0] = z[0] + mirror[0];
     a[im] = z[im] - mirror[im];
     a[row_size<Real>] = z[im] + mirror[im];
@@ -146,11 +148,11 @@ void Split<Real>::forward(const Real* line, const Real* other, std::int64_t give
 }
 
 template <class Real>
-void Split<Real>::backward(const Real* spectra, std::int64_t stride, bool both, Real* scratch, Real* room, Real* line,
-                           Real* other, std::int64_t wanted) const {
+void Split<Real>::backward(const Real* spectra, bool both, Real* scratch, Real* room, Real* const* pair,
+                           std::int64_t wanted) const {
   constexpr std::int64_t im = width<Real>;
   for_each_wave(scratch, [&](std::int64_t k, std::int64_t q, Real* z, Real* mirror) {
-    const Real* const a = spectra + k * stride + q;
+    const Real* const a = spectra + k * block_stride<Real> + q;
     const Real re = a[0], sine = a[im];
     const Real b_re = both ? a[row_size<Real>] : Real{0}, b_im = both ? a[row_size<Real> + im] : Real{0};
     // A wave that is its own mirrored one is real but for rounding.
@@ -164,7 +166,7 @@ void Split<Real>::backward(const Real* spectra, std::int64_t stride, bool both, 
   LineSink<Real> sink(along_.passes(), lines, part_);
   along_.backward(scratch, sink);
   Real* const few = scratch + Fourier<Real>::scratch_rows(part_) * row_size<Real>;
-  To parts(line, other, wanted, part_);
+  To parts(pair, wanted, part_);
   const Real* turn = turns_.data();
   for (std::int64_t j = 0; j < part_; j += width<Real>) {
     const std::int64_t count = std::min(width<Real>, part_ - j);

@@ -20,14 +20,12 @@ template <class Real> class Split {
   // Reals that the functions below need besides the scratch of a transform of the whole length.
   std::int64_t room() const { return row_size<Real> * part_; }
 
-  // Waves of a line: in blocks of W, `stride` reals apart, the block's real parts and imaginary parts; in their order, twice.
-  // Lines have `given` elements and are zero from there on. A line that is null is zero. The waves of `other` follow a row after
-  // those of `line`.
-  void forward(const Real* line, const Real* other, std::int64_t given, Real* scratch, Real* room, Real* spectra,
-               std::int64_t stride) const;
-  // Back, without the factor, for the first `wanted` elements. Lines may be null. `both`: whether there are waves of `other`.
-  void backward(const Real* spectra, std::int64_t stride, bool both, Real* scratch, Real* room, Real* line, Real* other,
-                std::int64_t wanted) const;
+  // The waves of two lines, in the spectra of one group of lines: of each block of W waves the row of the first line, with real
+  // parts and imaginary parts, and the row of the second. Lines have `given` elements and are zero from there on; a line that is
+  // null is zero.
+  void forward(const Real* const* pair, std::int64_t given, Real* scratch, Real* room, Real* spectra) const;
+  // Back, without the factor, for the first `wanted` elements. Lines may be null. `both`: the second line has waves.
+  void backward(const Real* spectra, bool both, Real* scratch, Real* room, Real* const* pair, std::int64_t wanted) const;
 
  private:
   class From;

@@ -163,8 +163,7 @@ void Transform<Real>::rows_forward(const Points& sources, std::int64_t x0, std::
     }
     if (waves_->split) {
       for (std::int64_t l = 0; l < y0 + sources.rows(); l += 2)
-        waves_->split->forward(given[l], given[l + 1], x0 + sources.nx(), scratch(thread), room(thread),
-                               spectra(0) + l * row_size<Real>, most_lines<Real> * row_size<Real>);
+        waves_->split->forward(given + l, x0 + sources.nx(), scratch(thread), room(thread), spectra(0) + l * row_size<Real>);
       return;
     }
     const Fourier<Real>& along = *waves_->axes.x;
@@ -199,8 +198,8 @@ void Transform<Real>::rows_backward(const Points& targets, Outer* y, const Conve
     }
     if (waves_->split) {
       for (std::int64_t l = 0; l < rows; l += 2)
-        waves_->split->backward(spectra(0) + l * row_size<Real>, most_lines<Real> * row_size<Real>, l + 1 < rows, scratch(thread),
-                                room(thread), wanted[l], wanted[l + 1], targets.nx());
+        waves_->split->backward(spectra(0) + l * row_size<Real>, l + 1 < rows, scratch(thread), room(thread), wanted + l,
+                                targets.nx());
     } else {
       const Fourier<Real>& along = *waves_->axes.x;
       along.passes().from_spectra(spectra(group), rows, along.rows(), along.waves(), scratch(thread));
