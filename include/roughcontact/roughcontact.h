@@ -456,7 +456,7 @@ RC_API void rc_contact_cancel(rc_contact *contact);
  *  of seconds and bytes, or the reason why it cannot. *out: "" if no step has needed a solver; lives until the
  *  contact is next used or destroyed. Errors: ARGUMENT, MEMORY, BUSY. */
 RC_API rc_status rc_contact_explain(rc_contact *contact, const char **out);
-/** Forgets the surface, its plastic indentation, creep, last pressures and factors; keeps plans and tables of transforms. Errors: BUSY. */
+/** Forgets surface, plastic indentation, creep, last pressures and factors; keeps plans and tables of transforms. Errors: BUSY. */
 RC_API rc_status rc_contact_reset(rc_contact *contact);
 /** @} */
 
