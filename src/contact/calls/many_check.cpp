@@ -157,9 +157,9 @@ class Check {
       } catch (const Error& error) {
         refuse(i, k, error.what());
       }
-      const auto differs = [&](const char* name, double value, double reported) {
-        if (!(value <= tol_ && std::abs(value - reported) <= allowed_share * tol_))
-          refuse(i, k, name, " is ", value, ", reported as ", reported, ", tol is ", tol_);
+      const auto differs = [&](const char* name, double value, double as_reported) {
+        if (!(value <= tol_ && std::abs(value - as_reported) <= allowed_share * tol_))
+          refuse(i, k, name, " is ", value, ", reported as ", as_reported, ", tol is ", tol_);
       };
       differs("kkt_dual", found.certificate.dual, reported.dual);
       differs("kkt_complementarity", found.certificate.complementarity, reported.complementarity);
