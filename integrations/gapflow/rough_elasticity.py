@@ -5,6 +5,7 @@
 
 GaPFlow's elastic walls then use `roughcontact.Influence` for all its boundaries: periodic, free, and periodic along one axis,
 where the sum over images is exact instead of cut off after `n_images`. Each step takes the whole deformation of its pressure.
+`start_from_contact(problem, gap, least)` begins with a solved dry contact.
 """
 
 import numpy as np
@@ -54,3 +55,22 @@ def install(relaxation=1.0):
     None for alpha_underrelax of the input."""
     ElasticDeformation.relaxation = relaxation
     topography.ElasticDeformation = ElasticDeformation
+
+
+def start_from_contact(problem, gap, least):
+    """The walls of a GaPFlow problem begin as a dry contact leaves them, and deform from there by the fluid's pressure.
+
+    gap [points along x, along y]: solved for the cells of the problem's grid, `result.gap.T`. least [length]: the film where walls
+    touch, since GaPFlow needs one everywhere. To be called before the run; input.yaml's geometry no longer counts."""
+    grid, gap = problem.grid, np.asarray(gap)
+    if gap.shape != (grid["Nx"], grid["Ny"]):
+        raise ValueError(f"the gap has {gap.shape} points, the grid {grid['Nx'], grid['Ny']} cells; solve the contact on the grid")
+    if not (least > 0 and np.isfinite(gap).all()):
+        raise ValueError(f"least is {least}, and a gap must be finite; GaPFlow needs a film above 0 in every cell")
+    film = np.maximum(gap, least)
+    for axis, repeats in enumerate((grid["bc_xE_P"][0], grid["bc_yS_P"][0])):
+        ghosts = [(0, 0), (0, 0)]
+        ghosts[axis] = 1, 1
+        film = np.pad(film, ghosts, mode="wrap" if repeats else "edge")
+    problem.topo.h_undeformed = film.copy()
+    problem.topo.h = film
