@@ -97,10 +97,10 @@ def simulated(n, ranks, networks, runs, records, limit):
         if not done:
             return dict.fromkeys(networks, answer)
         own = [least([os.path.join(run, str(rank)) for run in done], os.path.join(fewest, str(rank))) for rank in range(ranks)]
-        told = {**answer, 'runs': len(done), 'own_seconds': sum(own) / ranks, 'most_own_seconds': max(own)}
+        said = {**answer, 'runs': len(done), 'own_seconds': sum(own) / ranks, 'most_own_seconds': max(own)}
         replay = '--cfg=smpi/simulate-computation:no', program('RC_BENCH_RANK_REPLAY', "SimGrid's SMPI"), fewest
 
         def on(network):
-            return {**told, **answer_of(smpirun(network, ranks, hosts, *replay), limit)}
+            return {**said, **answer_of(smpirun(network, ranks, hosts, *replay), limit)}
         with ThreadPoolExecutor(os.cpu_count()) as pool:  # no seconds are measured here
             return dict(zip(networks, pool.map(on, networks)))

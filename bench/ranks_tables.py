@@ -65,8 +65,8 @@ def counts(document):
 
 def simulations(document, weak):
     """Strong: rows of a grid that several numbers of ranks have. Weak: 2^20 points a rank."""
-    told, found = good(document, 'simulated'), []
-    for (network, n), same in sorted(groups(told, 'network', 'n').items()):
+    stated, found = good(document, 'simulated'), []
+    for (network, n), same in sorted(groups(stated, 'network', 'n').items()):
         first = min(same, key=lambda row: row['ranks'])
         if not weak and len(same) < 2:
             continue
@@ -76,7 +76,7 @@ def simulations(document, weak):
                 continue
             row = {**row, 'network': NETWORKS[network], 'each': each, 'speedup': '', 'efficiency': ''}
             if weak:
-                one = next((other for other in told if other['network'] == network and other['ranks'] == 1 and other['n'] == 1024), None)
+                one = next((other for other in stated if other['network'] == network and other['ranks'] == 1 and other['n'] == 1024), None)
                 if one:
                     row['efficiency'] = f'{100 * one["seconds"] / row["seconds"]:.0f}'
             else:

@@ -1,5 +1,5 @@
 // Whether three columns are coordinates x, y and a height, or a matrix of three heights a row. Coordinates fill a regular grid,
-// run along lines as scans do, or have another scale than heights. Neighbouring columns of a map are alike.
+// run along lines as scans do, or have another scale than heights. Neighbouring columns of a map are similar.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -110,7 +110,7 @@ bool has_another_scale(const Column& x, const Column& y, const Column& z) {
 
 Columns kind_of_columns(const std::vector<double>& rows) {
   constexpr std::size_t fewest = 4, fewest_to_compare = 8;  // a grid of 2 x 2
-  constexpr double alike = 0.5;
+  constexpr double least_likeness = 0.5;
   const std::size_t count = rows.size() / 3;
   if (count < fewest) return Columns::heights;
   Column x, y, z;
@@ -120,7 +120,7 @@ Columns kind_of_columns(const std::vector<double>& rows) {
     z.push_back(rows[i + 2]);
   }
   if (!all_finite(x) || !all_finite(y)) return Columns::heights;
-  const bool unlike = likeness(x, y) < alike;
+  const bool unlike = likeness(x, y) < least_likeness;
   const bool points =
       (unlike && fill_a_grid(x, y)) || run_along_lines(x, y) || run_along_lines(y, x) || has_another_scale(x, y, z);
   if (points) return Columns::points;

@@ -45,7 +45,7 @@ struct Lines {
 };
 
 // Steps from line to line, so that an inexact first guess of the pitch does not add up.
-std::optional<Lines> follow(const std::vector<double>& sorted, double pitch, std::int64_t most_lines) {
+std::optional<Lines> scan_lines(const std::vector<double>& sorted, double pitch, std::int64_t most_lines) {
   for (int pass = 0; pass < 3; ++pass) {
     double line = sorted.front(), count = 0;
     for (const double x : sorted) {
@@ -78,7 +78,7 @@ GridAxis find_grid_axis(const std::vector<double>& coordinates, std::int64_t mos
   if (spacing.empty()) throw Error("all points have the same ", name, ": a profile, a map is needed");
 
   for (const double pitch : candidates(spacing)) {
-    const auto lines = follow(sorted, pitch, most_lines);
+    const auto lines = scan_lines(sorted, pitch, most_lines);
     if (!lines || !all_on_lines(sorted, *lines)) continue;
     GridAxis axis{lines->pitch, lines->count, {}};
     axis.index.reserve(coordinates.size());

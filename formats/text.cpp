@@ -19,8 +19,8 @@ std::int64_t rows_of_first(const TextTable& table) {
   const auto& blocks = table.blocks;
   if (table.header.rows == table.rows || std::ranges::all_of(blocks, [](std::int64_t rows) { return rows == 1; }))
     return table.rows;
-  const bool alike = std::ranges::all_of(blocks, [&](std::int64_t rows) { return rows == blocks.front(); });
-  if (alike || table.header.rows == blocks.front()) return blocks.front();
+  const bool equal = std::ranges::all_of(blocks, [&](std::int64_t rows) { return rows == blocks.front(); });
+  if (equal || table.header.rows == blocks.front()) return blocks.front();
   throw Error("blank lines divide the ", table.rows, " rows into ", blocks.size(), " blocks, the first of ", blocks.front(),
               ": one map or several? Remove the blank lines, or give a file with one map");
 }

@@ -115,8 +115,8 @@ class TableReader {
 
   // The rows so far are lines of numbers in what is before the table, "12.5, 3", if words part them from rows of another length.
   void drop_preamble(std::int64_t fields) {
-    const auto alike = [fields](const Row& row) { return row.fields == fields || (row.ends_empty && row.fields == fields + 1); };
-    if (points_ || std::ranges::any_of(rows_, alike)) throw Error(damaged_.empty() ? words_after_ : damaged_);
+    const auto fits = [fields](const Row& row) { return row.fields == fields || (row.ends_empty && row.fields == fields + 1); };
+    if (points_ || std::ranges::any_of(rows_, fits)) throw Error(damaged_.empty() ? words_after_ : damaged_);
     dropped_ += std::ssize(rows_);
     rows_.clear();
     table_.values.clear();

@@ -29,9 +29,9 @@ class Indentation {
 
   const double* depth() const { return depth_.data(); }
   void require_of(rc_contact* contact) const {
-    Reals told(depth_.size(), -1.0);
-    require(rc_contact_indentation(contact, RC_OUT(told.data())) == RC_OK, "a contact tells its indentation");
-    require(told == depth_, "the indentation is the overlap of the certified steps");
+    Reals found(depth_.size(), -1.0);
+    require(rc_contact_indentation(contact, RC_OUT(found.data())) == RC_OK, "a contact tells its indentation");
+    require(found == depth_, "the indentation is the overlap of the certified steps");
   }
 
  private:

@@ -57,7 +57,7 @@ Shape parse_shape(const std::string& option, std::string_view text, double unit,
 }
 
 void add_shape(const std::string& option, const Shape& shape, const ShapedGrid& grid, bool si, std::span<double> heights) {
-  const auto told = [si](double length) { return si ? with_prefix(length, "m") : in_digits(length, 6); };
+  const auto in_words = [si](double length) { return si ? with_prefix(length, "m") : in_digits(length, 6); };
   for (std::size_t i = 0; i < heights.size(); ++i) {
     const auto ix = static_cast<std::int64_t>(i) % grid.nx, iy = static_cast<std::int64_t>(i) / grid.nx + grid.first;
     const double x = (static_cast<double>(ix) - static_cast<double>(grid.nx - 1) / 2) * grid.hx;
@@ -70,7 +70,8 @@ void add_shape(const std::string& option, const Shape& shape, const ShapedGrid& 
     const double square = shape.name == "sphere" ? x * x + y * y : across * across;
     const double below = shape.radius * shape.radius - square;
     if (below < 0)
-      throw Error(option, ": the surface reaches ", told(std::sqrt(square)), " from its middle, beyond R = ", told(shape.radius));
+      throw Error(option, ": the surface reaches ", in_words(std::sqrt(square)),
+                  " from its middle, beyond R = ", in_words(shape.radius));
     heights[i] -= square / (shape.radius + std::sqrt(below));  // exact where the distance is small
   }
 }
@@ -94,9 +95,9 @@ void smooth_contact(const Shape& shape, const rc_system& system, double load, bo
     out.max_pressure = a > 0 ? 2 * load / (pi * a * length) : 0;
   }
   if (!(out.width > out.side)) return;
-  const auto told = [si](double each) { return si ? with_prefix(each, "m", 2) : in_digits(each, 2); };
+  const auto in_words = [si](double each) { return si ? with_prefix(each, "m", 2) : in_digits(each, 2); };
   std::snprintf(out.remark, sizeof out.remark, "Hertz' contact of this shape and load is %s wide, the map %s: press a larger map",
-                told(out.width).c_str(), told(out.side).c_str());
+                in_words(out.width).c_str(), in_words(out.side).c_str());
 }
 
 }  // namespace rc::request

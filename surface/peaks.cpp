@@ -13,7 +13,7 @@ namespace rc::surface {
 
 namespace {
 
-constexpr std::int64_t fewest_waves = 4;  // over the map: fewer waves cannot be told from roughness
+constexpr std::int64_t fewest_waves = 4;  // over the map: fewer waves look like roughness
 constexpr double least_share = 0.02;
 constexpr double above_direction = 8;
 constexpr std::int64_t cluster = 2;  // a wave under a window spreads over this many modes to each side

@@ -1,6 +1,6 @@
 /* rank_solver N THREADS ranks|process mixed|double: one cold solve of a rough surface of N x N points, about a
    tenth of them in contact, by load control. double: products in double precision alone, and no coarser grids, so that counters
-   can be told. The surface is made row by row from the points' numbers. Rank 0 prints a line of JSON. `process`: by rc_contact,
+   can be said. The surface is made row by row from the points' numbers. Rank 0 prints a line of JSON. `process`: by rc_contact,
    on one rank. Seconds are those of MPI_Wtime: of the clock, or of the simulation where SMPI runs the program; without those of
    making the contact, which SMPI takes longer for than any MPI: it duplicates a communicator. */
 #include <math.h>

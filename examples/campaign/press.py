@@ -41,9 +41,9 @@ def details(result):
 
 def outcome(batch, i, step):
     """What a batch says of a step."""
-    told = {name: getattr(batch, name) for name in ARRAYS}
+    arrays = {name: getattr(batch, name) for name in ARRAYS}
     cells = float(np.prod(batch.grid.shape)) * batch.grid.pitch[0] * batch.grid.pitch[1]
-    kept = {name: values[i, step].item() for name, values in told.items() if values is not None}
+    kept = {name: values[i, step].item() for name, values in arrays.items() if values is not None}
     share = {"mean_pressure": kept["load"] / cells, "area_fraction": kept["contact_area"] / cells}
     return {"status": rc.Status(batch.statuses[i, step]).name, "message": "", **kept, **share}
 

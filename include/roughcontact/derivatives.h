@@ -9,8 +9,8 @@ extern "C" {
 #endif
 
 /** @defgroup derivatives Derivatives of a step
- *  Of the contact's last rc_contact_solve or step of a path, which must have returned RC_OK, for the surface, mask, control and
- *  boundary of that step. Points in contact stay in contact, the others stay open, those at the hardness keep it: the equations of
+ *  The step is the last one that the contact solved, also in a history, and has returned RC_OK. Surface, mask, control and
+ *  boundary are its own. Points in contact stay in contact, the others stay open, those at the hardness keep it: the equations of
  *  the points with 0 < p < hardness are solved for the change, by at most two solves on this set. The surface is the one that the
  *  step pressed, with the plastic indentation of the steps before it.
  *

@@ -163,7 +163,7 @@ typedef struct rc_batch {
  *  first contact that failed or, if none did, of the first that is not certified, and rc_last_error() says how many
  *  contacts ended with which status. RC_WITHIN_GOAL: some steps ended so, all others are certified. All outputs are then
  *  written (rc_batch.written is n). RC_STOP_CANCELLED if fn or progress ended the batch and no contact failed: what was
- *  finished stays.
+ *  complete stays.
  *  Errors: as rc_contact_create and rc_contact_solve; ARGUMENT and SHAPE for the batch itself, with written = 0. */
 RC_API rc_status rc_batch_solve(const rc_system *system, const rc_options *options, rc_batch *batch);
 /** @} */

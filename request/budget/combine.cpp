@@ -47,15 +47,15 @@ std::string sentence(std::size_t quantity, const Named& named, double value, con
   const std::string text = join(name, " ", shown(quantity, named, value, 4));
   if (!(c.standard > 1e-12 * std::abs(value))) return text + ": no source changes it";
   const auto share = [&](std::size_t k) { return rows[k][quantity].variance() / (c.standard * c.standard); };
-  std::string told =
+  std::string line =
       join(text, " +- ", shown(quantity, named, c.coverage * c.standard, 2), " (95 %, k = ", in_digits(c.coverage, 3), "): ");
   const auto first = static_cast<std::size_t>(c.dominant);
-  told += join(sources.all[first].name, " brings ", std::llround(100 * share(first)), " % of the variance");
+  line += join(sources.all[first].name, " brings ", std::llround(100 * share(first)), " % of the variance");
   std::size_t second = rows.size();
   for (std::size_t k = 0; k < rows.size(); ++k)
     if (k != first && share(k) > 0.01 && (second == rows.size() || share(k) > share(second))) second = k;
-  if (second < rows.size()) told += join(", ", sources.all[second].name, " ", std::llround(100 * share(second)), " %");
-  return told;
+  if (second < rows.size()) line += join(", ", sources.all[second].name, " ", std::llround(100 * share(second)), " %");
+  return line;
 }
 
 }  // namespace

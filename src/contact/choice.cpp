@@ -93,7 +93,7 @@ struct Question {
   const std::vector<std::string>& failed;
   const bool explain;           // obstacles come with their text, and what cannot be chosen is listed as well
   const bool optional = false;  // the step can be solved in another way
-  // A look is for steps that come near soon, whatever solves the problem.
+  // A trial of a few iterations (partial) may take any solver: another one can solve the problem after it.
   const rc_solver* const solver =
       options.text(RC_OPT_SOLVER) == "auto" || facts.partial ? nullptr : &options.context->solver(options.text(RC_OPT_SOLVER));
   const bool any_backend = options.text(RC_OPT_BACKEND) == "auto";

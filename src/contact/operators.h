@@ -49,7 +49,7 @@ class Operators {
   Table table_;
 };
 
-// At its end the operators rest.
+// Its destructor says to the operators that no product follows soon.
 class Rest {
  public:
   explicit Rest(const GridProblem& problem) : operators_(problem.operators()) {}

@@ -109,11 +109,11 @@ StepAnswer Case::solve(rc_contact* contact, const rc_step& step) const {
   StepAnswer answer;
   const std::size_t n = scene_.points();
   const bool hard = scene_.hard();
-  const auto told = [&](Field& indentation) {
+  const auto said = [&](Field& indentation) {
     indentation.resize(n);
     check(rc_contact_indentation(contact, RC_OUT(indentation.data())) == RC_OK, rc_last_error());
   };
-  if (hard) told(answer.indentation);
+  if (hard) said(answer.indentation);
   answer.p.assign(n, -7);
   answer.gap.assign(n, -7);
   answer.result = RC_RESULT_INIT;
@@ -122,7 +122,7 @@ StepAnswer Case::solve(rc_contact* contact, const rc_step& step) const {
   answer.status = rc_contact_solve(contact, &step, &answer.result);
   answer.message = rc_last_error();
   answer.result.p = answer.result.gap = rc_array{};
-  if (hard) told(answer.indentation_after);
+  if (hard) said(answer.indentation_after);
   return answer;
 }
 

@@ -20,7 +20,7 @@ class Random {
   /** In [0, 1). */
   double uniform() { return static_cast<double>(next() >> 11) * 0x1p-53; }
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
-  /** 10^low .. 10^high, all decades alike. */
+  /** 10^low .. 10^high, every decade equally often. */
   double decades(double low, double high) { return std::pow(10, uniform(low, high)); }
   bool chance(double probability) { return uniform() < probability; }
   /** Mean 0, variance 1, within +-6: no function that libraries round differently. */

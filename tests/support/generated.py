@@ -1,4 +1,4 @@
-"""A document of which a part is generated: compares that part with what is generated today, or rewrites it."""
+"""A document of which a part is generated: compares that part with what is generated now, or rewrites it."""
 import difflib
 import os
 import pathlib

@@ -31,7 +31,7 @@ std::string tagged(std::string_view name, std::string_view meaning) {
   return rc::join(".TP\n.B ", plain(name), "\n", plain(meaning), "\n");
 }
 
-std::string told(const Option& option) {
+std::string entry(const Option& option) {
   const bool required = std::holds_alternative<std::string*>(option.target);
   const std::string type = option.type;
   return tagged(option.name + (type.empty() ? "" : " " + type) + (required ? " REQUIRED" : ""), option.help);
@@ -45,7 +45,7 @@ std::string options_of(const Command& command) {
   std::string text;
   for (const std::string_view group : groups) {
     if (group != "Options") text += rc::join(".PP\n.I ", plain(group), "\n");
-    for (const Option& option : command.options) text += option.group == group ? told(option) : "";
+    for (const Option& option : command.options) text += option.group == group ? entry(option) : "";
   }
   return text;
 }

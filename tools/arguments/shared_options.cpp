@@ -7,7 +7,7 @@ void add_set(Command& command, SolveArguments& arguments) {
 }
 
 void add_resume(Command& command, SolveArguments& arguments) {
-  command.add("Output", {{"--resume", &arguments.resume, "", "Continue the earlier run in --out after its last finished step"}});
+  command.add("Output", {{"--resume", &arguments.resume, "", "Continue the earlier run in --out after its last complete step"}});
 }
 
 void add_budget_sources(Command& command, SolveArguments& arguments) {

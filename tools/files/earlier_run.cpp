@@ -25,7 +25,7 @@ void add_to_step(const JsonEntry& entry, std::string_view field, EarlierStep& st
   step.fields.push_back(entry);
 }
 
-std::string told(const std::vector<JsonEntry>& entries, const std::string& place) {
+std::string text_at(const std::vector<JsonEntry>& entries, const std::string& place) {
   for (const JsonEntry& entry : entries) {
     if (entry.place == place) return dumped(entry.value);
   }
@@ -61,7 +61,7 @@ std::optional<EarlierRun> read_earlier_run(const std::string& text) {
     }
   }
   const bool complete = std::all_of(run.steps.begin(), run.steps.end(), [](const EarlierStep& step) { return step.complete(); });
-  const bool ours = told(run.input, "/input/library_version") != "nothing" && !run.targets.empty() && complete && in_order;
+  const bool ours = text_at(run.input, "/input/library_version") != "nothing" && !run.targets.empty() && complete && in_order;
   return ours ? std::optional{std::move(run)} : std::nullopt;
 }
 
@@ -72,14 +72,14 @@ void check_continues(const EarlierRun& earlier, const EarlierRun& now, std::size
   };
   const auto compare = [&](const std::vector<JsonEntry>& one) {
     for (const auto& [place, value] : one) {
-      const std::string before = told(earlier.input, place), here = told(now.input, place);
+      const std::string before = text_at(earlier.input, place), here = text_at(now.input, place);
       if (before != here) refuse(place.substr(place.rfind('/') + 1), before, here);
     }
   };
   compare(earlier.input);
   compare(now.input);
   if (now.targets.size() < steps) {
-    refuse("finished steps", std::to_string(steps), std::to_string(now.targets.size()));
+    refuse("complete steps", std::to_string(steps), std::to_string(now.targets.size()));
   }
   for (std::size_t k = 0; k < steps; ++k) {
     if (earlier.targets.size() <= k || earlier.targets[k] != now.targets[k])

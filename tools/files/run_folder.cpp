@@ -65,10 +65,10 @@ RunFolder::RunFolder(const std::string& folder, const Problem& problem, const st
 RunFolder::~RunFolder() {
   if (unfinished_ == 0) return;
   try {
-    const auto told = read_earlier_run(folder_.read(summary_name));
-    if (!told || told->steps.size() >= unfinished_) return;
+    const auto earlier = read_earlier_run(folder_.read(summary_name));
+    if (!earlier || earlier->steps.size() >= unfinished_) return;
     remove_steps(unfinished_, unfinished_);
-    if (!told->steps.empty()) return;
+    if (!earlier->steps.empty()) return;
     folder_.remove(heights_name);
     folder_.remove(table_name);
     folder_.remove(summary_name);
@@ -105,10 +105,10 @@ void RunFolder::take_up(const EarlierRun& now, const std::vector<std::string>& p
     add(step.fields);
     all_certified_ = all_certified_ && step.certified();
   }
-  finished_ = steps.size();
+  complete_ = steps.size();
   for (const std::string& name : present) {
     const StepName parts = parts_of(name);
-    if (parts.number == 0 || parts.number > finished_) continue;
+    if (parts.number == 0 || parts.number > complete_) continue;
     const std::string here = step_name(parts.stem.c_str(), parts.number, parts.extension.c_str());
     if (here != name && !rc_platform::rename_over(folder_.path(name), folder_.path(here)))
       throw Error("--resume: cannot rename ", in_quotes(folder_.path(name).string()), " to ", here, ": ", std::strerror(errno));
@@ -123,13 +123,13 @@ void RunFolder::remove_steps(std::size_t first, std::size_t last) {
   }
 }
 
-std::span<const EarlierStep> RunFolder::finished() const {
-  return finished_ > 0 ? std::span<const EarlierStep>(earlier_->steps).first(finished_) : std::span<const EarlierStep>();
+std::span<const EarlierStep> RunFolder::complete() const {
+  return complete_ > 0 ? std::span<const EarlierStep>(earlier_->steps).first(complete_) : std::span<const EarlierStep>();
 }
 
 std::vector<std::size_t> RunFolder::certified() const {
   std::vector<std::size_t> found;
-  for (std::size_t number = finished_; number > 0 && found.size() < 2; --number) {
+  for (std::size_t number = complete_; number > 0 && found.size() < 2; --number) {
     if (earlier_->steps[number - 1].certified()) found.push_back(number);
   }
   return found;
@@ -140,7 +140,7 @@ std::vector<std::size_t> RunFolder::certified() const {
 void RunFolder::begin() {
   if (begun_) return;
   begun_ = true;
-  const std::size_t kept = finished_, own = earlier_ ? earlier_->own_steps() : 0;
+  const std::size_t kept = complete_, own = earlier_ ? earlier_->own_steps() : 0;
   write_output(folder_.path(summary_name), summary_.text(own > kept ? own : 0));
   if (own > 0) folder_.remove(history_name);
   if (own > 0) folder_.remove(table_name);

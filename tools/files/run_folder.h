@@ -25,7 +25,7 @@ std::string step_name(const char* stem, std::size_t number, const char* extensio
 class RunFolder {
  public:
   // Throws if the folder has files with names that this run would write and that no summary.json lists. resume: continues after
-  // the steps that an earlier run of the same problem has finished, if there was one; their files get the names that they have
+  // the steps that an earlier run of the same problem wrote, if there was one; their files get the names that they have
   // in this one. checksum: of the heights.
   RunFolder(const std::string& folder, const Problem& problem, const std::string& checksum, bool resume);
   // Removes the files of a step if not all of them could be written.
@@ -33,9 +33,9 @@ class RunFolder {
   RunFolder(const RunFolder&) = delete;
   RunFolder& operator=(const RunFolder&) = delete;
 
-  // The earlier run's finished steps, oldest first; whether all are certified; and the numbers, from 1 on, of the last two
+  // The earlier run's complete steps, oldest first; whether all are certified; and the numbers, from 1 on, of the last two
   // certified ones, newest first.
-  std::span<const EarlierStep> finished() const;
+  std::span<const EarlierStep> complete() const;
   bool all_certified() const { return all_certified_; }
   std::vector<std::size_t> certified() const;
 
@@ -63,7 +63,7 @@ class RunFolder {
   Summary summary_;
   StepTable table_;
   std::optional<EarlierRun> earlier_;
-  std::size_t finished_ = 0;
+  std::size_t complete_ = 0;
   bool all_certified_ = true, begun_ = false;
   std::size_t unfinished_ = 0;  // the step whose files are being written; 0: none
 };

@@ -55,21 +55,21 @@ StepFiles::StepFiles(const std::string& folder, const Problem& problem, Choice c
       maps_(choice.maps),
       writers_(std::move(choice.writers)),
       can_draw_(choice.pictures) {
-  for (const EarlierStep& step : run_.finished()) history_.push_back(history_point(step));
+  for (const EarlierStep& step : run_.complete()) history_.push_back(history_point(step));
 }
 
 std::vector<CertifiedStep> StepFiles::certified() const {
   std::vector<CertifiedStep> found;
   for (const std::size_t number : run_.certified()) {
-    const EarlierStep& step = run_.finished()[number - 1];
+    const EarlierStep& step = run_.complete()[number - 1];
     found.push_back({values("pressure", number), step.approach, step.load});
   }
   return found;
 }
 
 std::vector<double> StepFiles::indentation() const {
-  if (!(problem_.system.hardness > 0) || run_.finished().empty()) return {};
-  return values("indentation", run_.finished().size());
+  if (!(problem_.system.hardness > 0) || run_.complete().empty()) return {};
+  return values("indentation", run_.complete().size());
 }
 
 std::vector<double> StepFiles::values(const char* stem, std::size_t number) const {
@@ -135,7 +135,7 @@ std::string StepFiles::draw(const std::string& name, const std::function<Gnuplot
     const Gnuplot outcome = picture(file);
     can_draw_ = !outcome.missing;
     if (outcome.missing) {
-      if (name != history_name) fault = "gnuplot not found: contact-K.png not drawn";  // else told before
+      if (name != history_name) fault = "gnuplot not found: contact-K.png not drawn";  // else reported before
     } else if (!outcome.drawn) {
       fault = name + " not drawn, gnuplot failed: " + outcome.message;
     }

@@ -19,7 +19,7 @@ namespace cli {
 class StepFiles {
  public:
   struct Choice {
-    bool resume = false;  // continue after the steps that an earlier run of the same problem has finished, if there was one
+    bool resume = false;  // continue after the steps that an earlier run of the same problem wrote, if there was one
     bool maps = true;     // write the fields and the picture of each step
     bool pictures = true;
     StepWriters writers;  // of more files of each step
@@ -28,11 +28,11 @@ class StepFiles {
   // Throws if the folder has files with names that this run would write and that no summary.json lists.
   StepFiles(const std::string& folder, const Problem& problem, Choice choice);
 
-  // The earlier run's number of finished steps, whether all are certified, and the last two certified ones, newest first.
-  int finished() const { return static_cast<int>(run_.finished().size()); }
+  // The earlier run's number of complete steps, whether all are certified, and the last two certified ones, newest first.
+  int complete() const { return static_cast<int>(run_.complete().size()); }
   bool all_certified() const { return run_.all_certified(); }
   std::vector<CertifiedStep> certified() const;
-  // After the last finished step; empty without a hardness.
+  // After the last complete step; empty without a hardness.
   std::vector<double> indentation() const;
 
   void write(const StepRecord& step, const Fields& fields);

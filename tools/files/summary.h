@@ -1,4 +1,4 @@
-// summary.json: the input and every finished step.
+// summary.json: the input and every complete step.
 #pragma once
 
 #include <cstdint>

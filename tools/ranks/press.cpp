@@ -46,7 +46,7 @@ class Run {
 
   ExitCode solve() {
     const auto steps = row_.problem.targets.size();
-    for (std::size_t number = static_cast<std::size_t>(finished_) + 1; number <= steps; ++number) solve_step(number);
+    for (std::size_t number = static_cast<std::size_t>(complete_) + 1; number <= steps; ++number) solve_step(number);
     if (ranks_.first() && !arguments_.quiet && !last_.empty()) std::printf("%s\n", last_.c_str());
     return all_certified_ ? exit_certified : exit_uncertified;
   }
@@ -72,19 +72,19 @@ class Run {
     ranks_.on_first([&] { folder_.emplace(*arguments_.out, row_.problem, row_.checksum, arguments_.resume); });
     checkpoint_.emplace(ranks_, folder_ ? &*folder_ : nullptr, row_, rc_platform::path_of(*arguments_.out));
     if (!arguments_.resume) checkpoint_->remove();
-    finished_ = ranks_.of_first(folder_ ? std::int64_t(folder_->finished().size()) : 0);
+    complete_ = ranks_.of_first(folder_ ? std::int64_t(folder_->complete().size()) : 0);
     all_certified_ = ranks_.of_first(std::int64_t(folder_ && folder_->all_certified())) == 1;
-    if (finished_ > 0) {
-      fields_.pressure = read_step_rows(ranks_, file("pressure", static_cast<std::size_t>(finished_)), row_);
+    if (complete_ > 0) {
+      fields_.pressure = read_step_rows(ranks_, file("pressure", static_cast<std::size_t>(complete_)), row_);
       if (!fields_.indentation.empty())
-        fields_.indentation = read_step_rows(ranks_, file("indentation", static_cast<std::size_t>(finished_)), row_);
+        fields_.indentation = read_step_rows(ranks_, file("indentation", static_cast<std::size_t>(complete_)), row_);
       started_ = true;
       for (std::size_t i = 0; i < fields_.indentation.size(); ++i) row_.gap[i] += fields_.indentation[i];
       if (ranks_.first())
         report(
-            format("--resume: %lld of %zu steps are finished", static_cast<long long>(finished_), row_.problem.targets.size()));
+            format("--resume: %lld of %zu steps are complete", static_cast<long long>(complete_), row_.problem.targets.size()));
     }
-    const auto next = static_cast<std::size_t>(finished_) + 1;
+    const auto next = static_cast<std::size_t>(complete_) + 1;
     if (!arguments_.resume) return;
     std::vector<double> pressure;
     const auto iterations = checkpoint_->read(next, pressure);
@@ -155,7 +155,7 @@ class Run {
   void print(const StepRecord& step) {
     last_ = conclusion(row_.problem, step);
     if (!ranks_.first()) return;
-    if (step.number == static_cast<int>(finished_) + 1) {
+    if (step.number == static_cast<int>(complete_) + 1) {
       for (const std::string& note : row_.problem.input.notes) report(note);
       if (!arguments_.quiet) print_table_head(row_.problem);
     }
@@ -194,7 +194,7 @@ class Run {
   std::optional<Checkpoint> checkpoint_;
   std::int64_t every_ = 0;  // iterations between checkpoints; 0: none
   std::int64_t most_ = 0;   // option max_iter
-  std::int64_t finished_ = 0, begun_ = 0;
+  std::int64_t complete_ = 0, begun_ = 0;
   bool all_certified_ = true, started_ = false, gap_given_ = false;
   std::string remarked_, last_;
 };

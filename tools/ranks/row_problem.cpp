@@ -44,7 +44,7 @@ std::int64_t first_point(const Communicator& ranks, std::span<const double> heig
   return first == nowhere ? -1 : first;
 }
 
-// The layout of a file, and the grid that the request library is told.
+// The layout of a file, and the grid that the request library gets.
 struct RowMap {
   rc::formats::NpyLayout layout;
   rc_map map;

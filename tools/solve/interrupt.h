@@ -1,5 +1,5 @@
 // SIGINT, SIGTERM and SIGHUP. While a contact is watched, the first one ends its running step through rc_contact_cancel, so that
-// all that is finished stays whole. Otherwise, and at the second one, the process ends at once and removes the file it was
+// all that is complete stays whole. Otherwise, and at the second one, the process ends at once and removes the file it was
 // writing.
 #pragma once
 

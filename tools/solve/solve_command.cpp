@@ -102,17 +102,17 @@ ExitCode run_solve(const SolveArguments& arguments) {
   if (arguments.out)
     files.emplace(*arguments.out, problem,
                   StepFiles::Choice{arguments.resume, !arguments.no_maps, !arguments.no_pictures, std::move(writers)});
-  const int finished = files ? files->finished() : 0;
+  const int complete = files ? files->complete() : 0;
   StepSolver solver{contact.get(), problem};
-  if (finished > 0) {
+  if (complete > 0) {
     solver.restore(files->certified(), files->indentation());
-    report(format("--resume: %d of %d steps are finished", finished, steps));
+    report(format("--resume: %d of %d steps are complete", complete, steps));
   }
 
   std::string remarked, last, smooth;
   ExitCode code = files && !files->all_certified() ? exit_uncertified : exit_certified;
-  for (int number = finished + 1; number <= steps && !interrupt.requested(); ++number) {
-    const bool first = number == finished + 1;
+  for (int number = complete + 1; number <= steps && !interrupt.requested(); ++number) {
+    const bool first = number == complete + 1;
     bar.begin(number);
     StepRecord step = solver.solve(number, fields);
     bar.clear();

@@ -1,4 +1,4 @@
-// One finished step of the sequence.
+// One complete step of the sequence.
 #pragma once
 
 #include <roughcontact/flow.h>

@@ -7,7 +7,7 @@ Arrays are [ny, nx], x along the last axis; `pitch` is one number or (hx, hy). A
 
 A call that fails raises a `RoughContactError`. A call that stops before its answer is certified raises `NotCertifiedError`,
 whose `result` holds the answer, or with check=False returns it with its `status`; Status.WITHIN_GOAL is returned in either
-case. Ctrl-C ends a running call and raises `Interrupted`, a KeyboardInterrupt whose `result` is what was finished.
+case. Ctrl-C ends a running call and raises `Interrupted`, a KeyboardInterrupt whose `result` is what was complete by then.
 """
 
 from typing import List

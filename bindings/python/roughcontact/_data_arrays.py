@@ -80,7 +80,7 @@ def _flag(value: Any) -> Optional[bool]:
 
 
 def described(thing: Any) -> Optional[Described]:
-    """None where the array does not name its axes; of a list what all its arrays say alike."""
+    """None where the array does not name its axes; of a list what all its arrays agree on."""
     if isinstance(thing, (list, tuple)) and thing and all(_names_axes(each) for each in thing):
         each_says = [described(each) for each in thing]
         if any(says != each_says[0] for says in each_says):

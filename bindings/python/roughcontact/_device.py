@@ -126,7 +126,7 @@ def package_of(like: Any) -> Any:
     return module
 
 
-def alike(values: NDArray[Any], like: Any) -> Any:
+def in_kind(values: NDArray[Any], like: Any) -> Any:
     """values as an array of the package that made `like`, on its device."""
     package = package_of(like)
     try:

@@ -10,7 +10,7 @@ _BY_STATUS: Dict[int, "Type[RoughContactError]"] = {}
 class RoughContactError(Exception):
     """A call that failed, or with `NotCertifiedError` one that stopped early.
 
-    status: the library's. result: what was finished before (a `Result`, `HistoryResult` or `BatchResult`), or None.
+    status: the library's. result: what was complete before (a `Result`, `HistoryResult` or `BatchResult`), or None.
     """
 
     default_status = Status.ERR_INTERNAL
@@ -89,7 +89,7 @@ class LibraryNotFoundError(RoughContactError, ImportError):
 
 
 class Interrupted(KeyboardInterrupt):
-    """Ctrl-C during a call. result: what was finished before it, or None."""
+    """Ctrl-C during a call. result: what was complete before it, or None."""
 
     def __init__(self, result: Any = None) -> None:
         super().__init__()

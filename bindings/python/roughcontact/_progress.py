@@ -26,7 +26,7 @@ class Bars:
 
     @contextmanager
     def over(self, unit: str, total: Optional[int] = None, done: Optional[Callable[[], int]] = None) -> Iterator[None]:
-        """A bar over the time of a with statement. done: units that are finished; None: the solver's iterations."""
+        """A bar over the time of a with statement. done: units that are complete; None: the solver's iterations."""
         kind = _tqdm()
         if kind is None:
             yield

@@ -13,7 +13,7 @@ from ._arrays import Doubles, Mask, Reals, array_out, as_doubles, as_mask, as_re
 from ._calls import check
 from ._errors import ArgumentError, ShapeError
 from ._creep import time_for
-from ._device import DeviceArray, alike, device_array, in_shape, package_of
+from ._device import DeviceArray, in_kind, device_array, in_shape, package_of
 from ._derivatives import Gradient, Tangent, gradient_from, gradient_request, tangent_from, tangent_request
 from ._handle import Handle
 from ._history import history_on
@@ -59,17 +59,17 @@ def _on_device(step: rc_step, gap: DeviceArray, mask: Optional[Mask], first: Opt
     names = {"undeformed_gap": gap}
     for name, array in (("mask", mask), ("p0", first)):
         if array is not None:
-            there = device_array(alike(array, gap.like), name)
+            there = device_array(in_kind(array, gap.like), name)
             assert there is not None
             names[name] = there
     given(step, **names)
     return tuple(names.values())
 
 
-def _alike(answer: Result, gap: Any) -> Result:
+def _in_kind(answer: Result, gap: Any) -> Result:
     """Its arrays as those of the gap's package."""
     maps = {name: getattr(answer, name) for name in ("pressure", "gap")}
-    return answer._with(**{name: alike(array, gap) for name, array in maps.items() if array is not None})
+    return answer._with(**{name: in_kind(array, gap) for name, array in maps.items() if array is not None})
 
 
 class Contact(Handle):
@@ -168,7 +168,7 @@ class Contact(Handle):
                 self._borrowed = self._borrowed[-1:] if borrow else []
             elif borrow:  # the gap stays that of the step which brought one; of masks, the last one is looked at
                 self._borrowed = self._borrowed[:1] + self._borrowed[1:][-1:]
-        return answer if there is None else _alike(answer, there.like)
+        return answer if there is None else _in_kind(answer, there.like)
 
     def certify(
         self,

@@ -69,9 +69,9 @@ def _together(world: Any, make: Callable[[], Made]) -> Made:
         made = make()
     except Exception as error:  # whatever a rank's own arguments lead to
         mine = type(error), str(error)
-    for rank, told in enumerate(world.allgather(mine)):
-        if told:
-            raise told[0](f"rank {rank}: {told[1]}")
+    for rank, failure in enumerate(world.allgather(mine)):
+        if failure:
+            raise failure[0](f"rank {rank}: {failure[1]}")
     return cast(Made, made)
 
 

@@ -147,8 +147,8 @@ Numbers Contact::at_area(Step step, double share, Monitor& monitor, const Output
   Numbers numbers;
   const auto press = [&](double load) {
     clear_message();
-    grid_.begin();
-    begin();
+    grid_.start_solve();
+    start_solve();
     step.target.value = load;
     numbers = at_target(step, monitor, room.outputs);
     step.p0 = {};

@@ -70,11 +70,11 @@ void Contact::ask(const Asked& asked) {
 Prepared Contact::prepare(const rc_step& given) {
   const Pressed pressed = pressed_by(given, problem().system);
   const Step step = grid_.prepare(pressed.step);  // a step that is refused changes nothing
-  begin();
+  start_solve();
   return {step, pressed.share};
 }
 
-void Contact::begin() {
+void Contact::start_solve() {
   if (problem().options.integer(RC_OPT_RESUMABLE) != 0) goal_.forget();
 }
 

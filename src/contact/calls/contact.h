@@ -53,7 +53,7 @@ class Contact {
   void ask(const Asked& asked);
 
  private:
-  void begin();  // one more solve of the prepared step
+  void start_solve();  // before one more solve of the prepared step
   Numbers at_target(const Step& step, Monitor& monitor, const Outputs& outputs);
   Numbers at_area(Step step, double share, Monitor& monitor, const Outputs& outputs);
   void drop_copies();

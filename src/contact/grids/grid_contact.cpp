@@ -126,24 +126,24 @@ Step GridContact::prepare(const rc_step& given_step) {
     memory_.last.approach = memory_.last.reported / problem_.compliance;
     creep_.begin(std::move(creep_step));
   }
-  begin();
+  start_solve();
   return step;
 }
 
-void GridContact::begin() {
+void GridContact::start_solve() {
   if (problem_.options.integer(RC_OPT_RESUMABLE) != 0) forget_operators();
-  grids_.begin_step();
+  grids_.start_solve();
   memory_.outcome = {};
 }
 
 Numbers GridContact::solve_prepared(const Step& step, Monitor& monitor, const Outputs& outputs,
                                     const std::optional<Estimate>& nearer) {
   const Rest after(problem_);
-  auto [finished, outcome] = solve_step(problem_, memory_, step, monitor, outputs, nearer);
+  auto [result, outcome] = solve_step(problem_, memory_, step, monitor, outputs, nearer);
   memory_.outcome = std::move(outcome);
-  Numbers numbers = finished.numbers;
+  Numbers numbers = result.numbers;
   if (numbers.status == RC_OK) {
-    remember(std::move(finished), Choice(memory_.outcome.choice));
+    remember(std::move(result), Choice(memory_.outcome.choice));
     memory_.outcome.certified = step.target.control;
     memory_.outcome.undecided = numbers.bounds.undecided;
   }
@@ -158,32 +158,32 @@ Numbers GridContact::certify(const rc_step& step, const Outputs& outputs, std::o
   const Rest after(problem_);
   const std::atomic<bool> never{false};  // a cancellation is meant for a step
   Monitor once(never, {}, 0, 1, problem_.operators().spent());
-  Finished finished = certify_given(problem_, prepared.target, Attempt{once}, outputs, compression);
-  Numbers numbers = finished.numbers;
-  if (compression) keep_bodies(std::move(finished));
+  StepResult result = certify_given(problem_, prepared.target, Attempt{once}, outputs, compression);
+  Numbers numbers = result.numbers;
+  if (compression) keep_bodies(std::move(result));
   numbers.multiply_lengths(problem_.compliance);
   return numbers;
 }
 
-void GridContact::keep_bodies(Finished&& finished) {
+void GridContact::keep_bodies(StepResult&& result) {
   if (!problem_.goal.changes_bodies) return;
-  overlap_ = std::move(finished.overlap);
-  if (!creep_.none()) creep_.leave(std::move(finished.deflection));
+  overlap_ = std::move(result.overlap);
+  if (!creep_.none()) creep_.leave(std::move(result.deflection));
 }
 
-void GridContact::remember(Finished&& finished, const Choice& by) {
+void GridContact::remember(StepResult&& result, const Choice& by) {
   memory_.outcome.choice = by;
   Pressures kept;
   try {
-    kept = finished.pressures.positive(problem_.team());  // points without pressure would take most of the memory
+    kept = result.pressures.positive(problem_.team());  // points without pressure would take most of the memory
   } catch (const std::bad_alloc&) {
     kept = {};  // the answer is written: all of them are kept
   }
-  if (kept.empty()) kept = std::move(finished.pressures);
-  const Numbers& numbers = finished.numbers;
-  memory_.record({std::move(kept), numbers.approach, numbers.load(problem_.system), true, std::move(finished.kept),
+  if (kept.empty()) kept = std::move(result.pressures);
+  const Numbers& numbers = result.numbers;
+  memory_.record({std::move(kept), numbers.approach, numbers.load(problem_.system), true, std::move(result.kept),
                   numbers.approach * problem_.compliance});
-  keep_bodies(std::move(finished));
+  keep_bodies(std::move(result));
 }
 
 void GridContact::adopt(StepSurface&& given) {

@@ -39,8 +39,8 @@ class GridContact {
 
   // Checks the step and takes its surface; a step that is refused changes nothing.
   Step prepare(const rc_step& step);
-  // Begins one more solve of the prepared step, with another target.
-  void begin();
+  // Before one more solve of the prepared step, with another target.
+  void start_solve();
   // Solves a step that has prepared. nearer: the estimate of a coarser grid.
   Numbers solve_prepared(const Step& step, Monitor& monitor, const Outputs& outputs,
                          const std::optional<Estimate>& nearer = std::nullopt);
@@ -55,7 +55,7 @@ class GridContact {
     creep_.leave_nothing();
   }
   // Remembers a step that is certified or within its goal.
-  void remember(Finished&& finished, const Choice& by);
+  void remember(StepResult&& result, const Choice& by);
 
   void adopt(StepSurface&& given);
   void forget(Forgotten what);
@@ -67,7 +67,7 @@ class GridContact {
 
  private:
   void settle();
-  void keep_bodies(Finished&& finished);
+  void keep_bodies(StepResult&& result);
   void forget_operators();
 
   GridProblem problem_;

@@ -136,7 +136,7 @@ void SolverGrids::describe(std::int64_t i, rc_level& out) const {
   }
 }
 
-void SolverGrids::begin_step() {
+void SolverGrids::start_solve() {
   for (auto& [points, level] : levels_) level.current = false;
 }
 

@@ -25,8 +25,8 @@ class SolverGrids : public CoarseGrids {
   void describe(std::int64_t i, rc_level& out) const;
   std::int64_t current() const;  // how many there are
 
-  void begin_step();  // from here on the present solutions belong to an earlier step
-  void forget();      // keeps the contacts, in the state of new ones
+  void start_solve();  // from here on the present solutions belong to an earlier step
+  void forget();       // keeps the contacts, in the state of new ones
   void clear();
 
  private:

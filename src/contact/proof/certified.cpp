@@ -332,8 +332,8 @@ Overlap overlap_of(const GridProblem& problem, const Deflected& found, double co
 
 }  // namespace
 
-Finished certified_result(const GridProblem& problem, const Target& target, Answer&& answer, const Attempt& attempt,
-                          const Outputs& outputs) {
+StepResult certify_and_write(const GridProblem& problem, const Target& target, Answer&& answer, const Attempt& attempt,
+                             const Outputs& outputs) {
   Stiffness rate = wanted_stiffness(problem, answer, attempt);
   Deflected found = deflected(problem, answer, outputs.gap.wanted() || problem.keeps_deflection());
   // After a stop the approach is made to fit the pressures, but not if points were screened: that holds for one approach.
@@ -361,8 +361,8 @@ Deflected deflection(const GridProblem& problem, const TrialSet& trial, std::vec
   return result;
 }
 
-Finished certify_given(const GridProblem& problem, const Target& target, const Attempt& attempt, const Outputs& outputs,
-                       std::optional<double> compression) {
+StepResult certify_given(const GridProblem& problem, const Target& target, const Attempt& attempt, const Outputs& outputs,
+                         std::optional<double> compression) {
   const Rows& rows = problem.rows();
   TrialSet trial;
   Deflected given{{{problem.own_points(), {}}, {}}, {}};

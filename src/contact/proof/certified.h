@@ -11,7 +11,8 @@ namespace rc {
 
 struct Survey;
 
-struct Finished {
+// A step with its certificate.
+struct StepResult {
   Numbers numbers;
   Pressures pressures = {};             // of use only if the step is certified or within its goal
   Overlap overlap = {};                 // the same: of points whose pressure is the hardness
@@ -22,14 +23,14 @@ struct Finished {
 
 // Certifies the answer of a step and writes the caller's arrays at last. answer: default constructed if nothing touches, or if a
 // stop came before any answer.
-Finished certified_result(const GridProblem& problem, const Target& target, Answer&& answer, const Attempt& attempt,
-                          const Outputs& outputs);
-// The same for the pressures in outputs.p. compression: by load; without it the one that fits them. Of what is finished only
-// numbers and overlap are set.
-Finished certify_given(const GridProblem& problem, const Target& target, const Attempt& attempt, const Outputs& outputs,
-                       std::optional<double> compression = std::nullopt);
+StepResult certify_and_write(const GridProblem& problem, const Target& target, Answer&& answer, const Attempt& attempt,
+                             const Outputs& outputs);
+// The same for the pressures in outputs.p. compression: by load; without it the one that fits them. Only numbers
+// and overlap are set.
+StepResult certify_given(const GridProblem& problem, const Target& target, const Attempt& attempt, const Outputs& outputs,
+                         std::optional<double> compression = std::nullopt);
 
-// The parts of certified_result, for answers that are finished in another way.
+// The parts of certify_and_write, for answers that are written in another way.
 
 // H p by the certifying operator: over all points if `everywhere`, else at least over those that the certificate needs. Takes
 // the pressures out of the answer, unless the operator has screened all points.

@@ -47,15 +47,15 @@ bool pass_over(const GridProblem& problem, const Error& error, Attempt& attempt)
   return true;
 }
 
-Finished solve_and_certify(const GridProblem& problem, const Memory& memory, const Step& step, const Outputs& outputs,
-                           const std::optional<Estimate>& nearer, Attempt& attempt) {
+StepResult solve_and_certify(const GridProblem& problem, const Memory& memory, const Step& step, const Outputs& outputs,
+                             const std::optional<Estimate>& nearer, Attempt& attempt) {
   const Target& target = step.target;
-  if (!target.touches(problem.surface)) return certified_result(problem, target, {}, attempt, outputs);
+  if (!target.touches(problem.surface)) return certify_and_write(problem, target, {}, attempt, outputs);
   const Start start(memory, step);
   std::optional<Choice> few;
   if (!start.given()) few = choose_for_few(problem, target.control);
   if (problem.rows().shared()) {
-    if (std::optional<Finished> all = sparse_by_rows(problem, target, start, few, attempt, outputs)) return std::move(*all);
+    if (std::optional<StepResult> all = sparse_by_rows(problem, target, start, few, attempt, outputs)) return std::move(*all);
     few.reset();
   }
   Pyramid pyramid(problem, target, attempt.monitor);
@@ -66,16 +66,16 @@ Finished solve_and_certify(const GridProblem& problem, const Memory& memory, con
     if (sparse.answer) return std::move(*sparse.answer);
     return whole_contact(problem, target, start, attempt, std::move(sparse.instead));
   };
-  std::optional<Error> first;         // why "auto" passed over the first backend
-  std::optional<Finished> delivered;  // an answer that is not certified: the caller's arrays hold it if nothing better follows
+  std::optional<Error> first;           // why "auto" passed over the first backend
+  std::optional<StepResult> delivered;  // an answer that is not certified: the caller's arrays hold it if nothing better follows
   for (;;) {
     try {
-      Finished found = certified_result(problem, target, solved(), attempt, outputs);
+      StepResult found = certify_and_write(problem, target, solved(), attempt, outputs);
       const rc_status status = found.numbers.status;
       const bool hopeless = status == RC_STOP_STALLED || status == RC_UNCERTIFIED;
       const std::string reason = hopeless ? join("which ended with: ", rc_status_text(status)) : "";
       if (!hopeless || !pass_over(problem, found.by.solver->name, RC_OPT_SOLVER, reason, attempt)) return found;
-      delivered = Finished{.numbers = found.numbers, .by = found.by};
+      delivered = StepResult{.numbers = found.numbers, .by = found.by};
       clear_message();
     } catch (const Error& error) {
       if (pass_over(problem, error, attempt)) {
@@ -99,7 +99,7 @@ Finished solve_and_certify(const GridProblem& problem, const Memory& memory, con
 Solved solve_step(const GridProblem& problem, const Memory& memory, const Step& step, Monitor& monitor, const Outputs& outputs,
                   const std::optional<Estimate>& nearer) {
   Attempt attempt{monitor, step.warm};
-  Finished answer = solve_and_certify(problem, memory, step, outputs, nearer, attempt);
+  StepResult answer = solve_and_certify(problem, memory, step, outputs, nearer, attempt);
   const Choice by = answer.by;
   return {std::move(answer), {by, std::move(attempt.failed)}};
 }

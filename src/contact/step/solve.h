@@ -11,7 +11,7 @@
 namespace rc {
 
 struct Solved {
-  Finished finished;
+  StepResult result;
   StepOutcome outcome;
 };
 

@@ -55,7 +55,7 @@ template <class Take> void each_own(const GridProblem& problem, std::size_t n, c
 }
 
 // The deformed gap at all points of the rows, by one product that all make together, and its mean.
-void write_gap(const GridProblem& problem, Finished& mine, const Attempt& attempt, const Outputs& outputs) {
+void write_gap(const GridProblem& problem, StepResult& mine, const Attempt& attempt, const Outputs& outputs) {
   std::vector<double> p;
   problem.rows().on_all([&] {
     p.resize(static_cast<std::size_t>(problem.own_points()));
@@ -71,8 +71,8 @@ void write_gap(const GridProblem& problem, Finished& mine, const Attempt& attemp
 
 }  // namespace
 
-std::optional<Finished> sparse_by_rows(const GridProblem& problem, const Target& target, const Start& start,
-                                       const std::optional<Choice>& few, const Attempt& attempt, const Outputs& outputs) {
+std::optional<StepResult> sparse_by_rows(const GridProblem& problem, const Target& target, const Start& start,
+                                         const std::optional<Choice>& few, const Attempt& attempt, const Outputs& outputs) {
   const Rows& rows = problem.rows();
   if (start.given() || !all_have(few, problem)) return std::nullopt;
   const rc_system& system = problem.system.given;
@@ -85,7 +85,7 @@ std::optional<Finished> sparse_by_rows(const GridProblem& problem, const Target&
   std::optional<double>& tilt = problem.facts.tilt;
   if (!tilt) tilt = plane_share(problem.surface, system.nx, system.ny, problem.system.periodic());
 
-  std::optional<Finished> finished;
+  std::optional<StepResult> whole;
   std::unique_ptr<GridProblem> all;
   rows.together([&] {
     all = std::make_unique<GridProblem>(system, problem.options, &problem.team(), problem.company().replicated());
@@ -98,13 +98,13 @@ std::optional<Finished> sparse_by_rows(const GridProblem& problem, const Target&
     if (older_sparse) known.before = gathered(start.before(), problem);
     Pyramid pyramid(*all, target, attempt.monitor);
     if (std::optional<Answer> answer = sparse_contact(*all, target, start.from(known), *few, pyramid, attempt).answer)
-      finished = certified_result(*all, target, std::move(*answer), attempt, {});
+      whole = certify_and_write(*all, target, std::move(*answer), attempt, {});
   });
-  if (!finished || finished->numbers.status == RC_STOP_STALLED || finished->numbers.status == RC_UNCERTIFIED) return std::nullopt;
+  if (!whole || whole->numbers.status == RC_STOP_STALLED || whole->numbers.status == RC_UNCERTIFIED) return std::nullopt;
 
-  Finished mine{.numbers = finished->numbers, .by = finished->by};
+  StepResult mine{.numbers = whole->numbers, .by = whole->by};
   rows.on_all([&] {
-    const Pressures& p = finished->pressures;
+    const Pressures& p = whole->pressures;
     each_own(
         problem, p.p.size(), [&](std::size_t k) { return p.on.point(static_cast<std::int64_t>(k)); },
         [&](std::int64_t point, std::size_t k) {
@@ -113,7 +113,7 @@ std::optional<Finished> sparse_by_rows(const GridProblem& problem, const Target&
         });
     mine.pressures.on.n = static_cast<std::int64_t>(mine.pressures.p.size());
     if (mine.pressures.on.n == problem.own_points()) mine.pressures.on.index.clear();
-    const Overlap& overlap = finished->overlap;
+    const Overlap& overlap = whole->overlap;
     each_own(
         problem, overlap.point.size(), [&](std::size_t k) { return overlap.point[k]; },
         [&](std::int64_t point, std::size_t k) {

@@ -13,7 +13,7 @@ namespace rc {
 
 // few: of choose_for_few. Nothing if contact is not sparse, or a process lacks these components. The pressures are those of this
 // process's rows.
-std::optional<Finished> sparse_by_rows(const GridProblem& problem, const Target& target, const Start& start,
-                                       const std::optional<Choice>& few, const Attempt& attempt, const Outputs& outputs);
+std::optional<StepResult> sparse_by_rows(const GridProblem& problem, const Target& target, const Start& start,
+                                         const std::optional<Choice>& few, const Attempt& attempt, const Outputs& outputs);
 
 }  // namespace rc

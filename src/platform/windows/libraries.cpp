@@ -115,7 +115,7 @@ bool is_absolute(std::string_view path) {
   return path.size() > 2 && letter(path[0]) && path[1] == ':' && slash(path[2]);
 }
 
-// Not the C library's, which would give it in the letters of one language alone.
+// From the system, in UTF-8: getenv() loses letters that the current code page lacks.
 const char* trusted_environment(const char* name) {
   thread_local std::string text;
   std::wstring value(GetEnvironmentVariableW(to_wide(name).c_str(), nullptr, 0), L'\0');

@@ -93,11 +93,11 @@ Histogram histogram_of(const Map& map, std::int64_t bins, double upper) {
   Histogram found;
   found.counts.assign(static_cast<std::size_t>(bins), -7);
   found.density.assign(static_cast<std::size_t>(bins), -7);
-  found.told.bins = bins;
-  found.told.upper = upper;
-  found.told.counts = RC_OUT(found.counts.data());
-  found.told.density = RC_OUT(found.density.data());
-  check(rc_histogram_fill(&map.system, RC_IN(map.p.data()), RC_IN(map.mask_data()), &found.told) == RC_OK, rc_last_error());
+  found.said.bins = bins;
+  found.said.upper = upper;
+  found.said.counts = RC_OUT(found.counts.data());
+  found.said.density = RC_OUT(found.density.data());
+  check(rc_histogram_fill(&map.system, RC_IN(map.p.data()), RC_IN(map.mask_data()), &found.said) == RC_OK, rc_last_error());
   return found;
 }
 

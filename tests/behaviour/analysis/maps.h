@@ -42,7 +42,7 @@ struct Patches {
 Patches patches_of(const Map& map, std::int32_t neighbours);
 
 struct Histogram {
-  rc_histogram told = RC_HISTOGRAM_INIT;
+  rc_histogram said = RC_HISTOGRAM_INIT;
   std::vector<std::int64_t> counts;
   Field density;
 };

@@ -108,7 +108,7 @@ inline Found solved(const Scene& s, const Contact& context, int threads = 1, con
 
 inline std::int32_t goes_on(std::int64_t, std::int64_t, const rc_result*, void*) { return 0; }
 
-// With a callback, which wants more than is told of many: one at a time.
+// With a callback, which wants more than many give: one at a time.
 inline Found one_at_a_time(const Scene& s, const Contact& context) {
   return solved(s, context, 1, [](rc_batch& b) { b.fn = goes_on; });
 }

@@ -62,7 +62,7 @@ void a_missing_device_is_told_in_the_drivers_words(void**) {
   }
 }
 
-// The bytes are told before anything is allocated.
+// The bytes are known before anything is allocated.
 void too_little_memory_is_told_in_bytes(void**) {
   for (const bool by_limit : {true, false}) {
     Contact contact(by_limit ? 0.01 : 1048576);

@@ -50,14 +50,14 @@ void expect_certified(const Scene& s) {
     rc::Contact contact(s.system, *context.options());
     for (std::int64_t k = 0; k < s.steps; ++k) {
       const auto at = static_cast<std::size_t>(i * s.steps + k);
-      const rc_many_answer& told = record.answers[at];
+      const rc_many_answer& said = record.answers[at];
       rc_step step = RC_STEP_INIT;
       step.control = s.control;
       step.target = s.targets[at];
       if (k == 0) step.undeformed_gap.data = s.gaps.data() + static_cast<std::size_t>(i) * s.points();
       if (k == 0 && !s.masks.empty()) step.mask.data = s.masks.data() + static_cast<std::size_t>(i) * s.points();
       const rc::Outputs given{{record.p.data() + at * s.points()}, {}};
-      const rc::Numbers own = contact.certify(step, given, told.compression);
+      const rc::Numbers own = contact.certify(step, given, said.compression);
       rc_result result = rc::result_with(given);
       rc::write(own, contact.problem().system, result);
       assert_int_equal(own.status, RC_OK);
@@ -66,11 +66,11 @@ void expect_certified(const Scene& s) {
           fail_msg("contact %d, step %d: %s is %.15g, reported as %.15g", static_cast<int>(i), static_cast<int>(k), name,
                    found_here, reported);
       };
-      expect("kkt_primal", result.kkt_primal, told.primal, 1e-3 * tol);
-      expect("kkt_dual", result.kkt_dual, told.dual, 1e-3 * tol);
-      expect("kkt_complementarity", result.kkt_complementarity, told.complementarity, 1e-3 * tol);
+      expect("kkt_primal", result.kkt_primal, said.primal, 1e-3 * tol);
+      expect("kkt_dual", result.kkt_dual, said.dual, 1e-3 * tol);
+      expect("kkt_complementarity", result.kkt_complementarity, said.complementarity, 1e-3 * tol);
       expect("load", result.load, found.load[at], 1e-12 * result.load);
-      expect("approach", result.approach, found.approach[at], 1e-12 * (std::abs(told.lowest) + std::abs(told.compression)));
+      expect("approach", result.approach, found.approach[at], 1e-12 * (std::abs(said.lowest) + std::abs(said.compression)));
       expect("area", result.contact_area, found.area[at], 0);
       const double worst = std::max({result.kkt_primal, result.kkt_dual, result.kkt_complementarity, result.kkt_control});
       expect("certificate", worst, found.certificate[at], 1e-3 * tol);

@@ -105,7 +105,7 @@ class Grids(ReaderTest):
                        np.cos(y / 3 + x / 9), y - 2 * x, np.arange(12.0).reshape(4, 3), np.round(9 * np.cos(y / 3 + x / 9)),
                        np.cumsum(chance.normal(size=(60, 1)), axis=0) + chance.normal(size=(60, 3)) / 9):
             self.assert_reads("a.txt", text(matrix), matrix, (None, None), format="text", rtol=1e-9)
-        # Columns that are not alike are no map's; what they are has to be said.
+        # Columns that differ are no map's; what they are has to be said.
         for matrix in (bumps(40, 3), levels, chance.normal(size=(400, 3)), chance.integers(0, 3, size=(30, 3)) * 1.0):
             self.assert_refused("a.txt", text(matrix), ["three columns", "give the format text for a map of 3 x %d" % len(matrix)])
             self.assert_reads("a.txt", text(matrix), matrix, (None, None), "--format", "text", rtol=1e-9)

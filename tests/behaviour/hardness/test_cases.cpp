@@ -37,7 +37,7 @@ std::int32_t multiply(const double* x, double* y, std::int64_t n, void* user) {
 
 void run(const CappedCase& reference, Problem problem, const Pair& pair) {
   const Contact contact(problem, pair, {{RC_OPT_TOL, pair.backend == "callback" ? "2e-12" : "1e-12"}});
-  Field indentation(problem.points(), 0.0), told(problem.points(), 0.0);
+  Field indentation(problem.points(), 0.0), said(problem.points(), 0.0);
   for (std::size_t k = 0; k < reference.steps.size(); ++k) {
     const CappedStep& step = reference.steps[k];
     const std::string number = "step " + std::to_string(k + 1) + ": ";
@@ -55,13 +55,13 @@ void run(const CappedCase& reference, Problem problem, const Pair& pair) {
                number + "plastic volume");
     if (pair.backend == "dense" && problem.system.op == RC_OPERATOR_HALFSPACE) {
       Problem indented = problem;
-      for (std::size_t i = 0; i < indentation.size(); ++i) indented.gap[i] += told[i];
+      for (std::size_t i = 0; i < indentation.size(); ++i) indented.gap[i] += said[i];
       check_against_naive(indented, answer);
     }
     for (std::size_t i = 0; i < indentation.size(); ++i) indentation[i] += step.overlap[i];
-    check(rc_contact_indentation(contact.handle(), RC_OUT(told.data())) == RC_OK, rc_last_error());
-    for (std::size_t i = 0; i < told.size(); ++i)
-      check_near(told[i], indentation[i], 10 * accuracy * step.approach, number + "indentation");
+    check(rc_contact_indentation(contact.handle(), RC_OUT(said.data())) == RC_OK, rc_last_error());
+    for (std::size_t i = 0; i < said.size(); ++i)
+      check_near(said[i], indentation[i], 10 * accuracy * step.approach, number + "indentation");
   }
 }
 

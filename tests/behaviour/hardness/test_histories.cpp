@@ -14,9 +14,9 @@ namespace pairs {
 namespace {
 
 Field indentation_of(const Contact& contact, std::size_t points) {
-  Field told(points, -7);
-  check(rc_contact_indentation(contact.handle(), RC_OUT(told.data())) == RC_OK, rc_last_error());
-  return told;
+  Field said(points, -7);
+  check(rc_contact_indentation(contact.handle(), RC_OUT(said.data())) == RC_OK, rc_last_error());
+  return said;
 }
 
 // A rough surface of which a good part yields at its target.
@@ -160,10 +160,10 @@ void certify_sees_the_indentation() {
   const Problem half = at(problem, 0.5);
   check_status(contact.certify(half.step(), contact.solve(half).p), RC_OK);
   const Contact fresh(problem, pair);
-  const Answer told = fresh.certify(problem.step(), first.p);
-  check_status(told, RC_OK);
-  check_equal(told.result.capped, first.result.capped, "points at the hardness");
-  check_near(told.result.plastic_volume, first.result.plastic_volume, 1e-12 * first.result.plastic_volume, "plastic volume");
+  const Answer said = fresh.certify(problem.step(), first.p);
+  check_status(said, RC_OK);
+  check_equal(said.result.capped, first.result.capped, "points at the hardness");
+  check_near(said.result.plastic_volume, first.result.plastic_volume, 1e-12 * first.result.plastic_volume, "plastic volume");
 }
 
 const double shares[] = {0.6, 1.0, 0.3, 1.1, 0.8};

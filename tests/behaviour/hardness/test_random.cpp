@@ -121,7 +121,7 @@ void solve_and_judge(std::uint64_t number, Tally& tally) {
   const double datum = problem.periodic() && problem.control == RC_CONTROL_LOAD ? largest(matrix) : 0;
   for (double& value : matrix) value += datum;
   const Contact contact(problem, scene.pair, {{RC_OPT_TOL, text(tol)}});
-  Field gap = problem.gap, told(problem.points());
+  Field gap = problem.gap, said(problem.points());
   for (std::size_t k = 0; k < scene.targets.size(); ++k) {
     const std::string which = scene.text + " step " + std::to_string(k) + ": ";
     problem.target = scene.targets[k];
@@ -141,13 +141,13 @@ void solve_and_judge(std::uint64_t number, Tally& tally) {
     ++tally.steps;
     tally.yielding += answer.result.capped > 0;
     tally.proven += answer.result.undecided == 0;
-    check(rc_contact_indentation(contact.handle(), RC_OUT(told.data())) == RC_OK, rc_last_error());
+    check(rc_contact_indentation(contact.handle(), RC_OUT(said.data())) == RC_OK, rc_last_error());
     for (std::size_t i = 0; i < gap.size(); ++i) {
       const double overlap = answer.p[i] == problem.system.hardness ? std::max(0.0, -answer.gap[i]) : 0;
       gap[i] += overlap;
       if (problem.included(i))
-        check(std::abs(problem.gap[i] + told[i] - gap[i]) <= 1e-14 * std::abs(gap[i]), which + "the indentation is another");
-      gap[i] = problem.gap[i] + told[i];
+        check(std::abs(problem.gap[i] + said[i] - gap[i]) <= 1e-14 * std::abs(gap[i]), which + "the indentation is another");
+      gap[i] = problem.gap[i] + said[i];
     }
   }
 }

@@ -22,7 +22,7 @@ void check_note(const Answer& answer, std::initializer_list<const char*> expecte
     bool wanted = false;
     for (const char* each : expected) wanted = wanted || each == words;
     check((note.find(words) != std::string::npos) == wanted,
-          (wanted ? "not told: " : "told: ") + std::string(words) + " in: " + note);
+          (wanted ? "no remark: " : "a remark: ") + std::string(words) + " in: " + note);
   }
 }
 
@@ -162,7 +162,7 @@ void a_spike_is_told() {
         problem.gap[place] = -2e-6;
         const Answer spiked = solved(problem, automatic, {{RC_OPT_TOL, "1e-6"}});
         check(spiked.result.contacts > 1, "more than the spike touches");
-        check(std::string(spiked.result.note).find(spike) != std::string::npos, std::string("not told: ") + spiked.result.note);
+        check(std::string(spiked.result.note).find(spike) != std::string::npos, std::string("no remark: ") + spiked.result.note);
       }
 }
 

@@ -1,4 +1,4 @@
-/* What one rank does wrong, or what fails there, is told to all: the same status and message everywhere, and no rank waits for
+/* What one rank does wrong, or what fails there, is known to all: the same status and message everywhere, and no rank waits for
  * ever. */
 #define _GNU_SOURCE /* memmem */
 #include <roughcontact/mpi.h>
@@ -18,8 +18,8 @@ static int other_version; /* this rank says that its library has another version
 static int reported(int code) { return ++calls == fail_at ? MPI_ERR_OTHER : code; }
 int MPI_Allgatherv(const void* from, int n, MPI_Datatype type, void* to, const int* counts, const int* places,
                    MPI_Datatype to_type, MPI_Comm comm) {
-  char* const told = other_version ? memmem(from, (size_t)n, ", ABI ", 6) : NULL;
-  if (told) told[6] = '9';
+  char* const said = other_version ? memmem(from, (size_t)n, ", ABI ", 6) : NULL;
+  if (said) said[6] = '9';
   return reported(patient_allgatherv(from, n, type, to, counts, places, to_type, comm));
 }
 int MPI_Sendrecv(const void* from, int n, MPI_Datatype type, int to, int tag, void* into, int m, MPI_Datatype into_type,

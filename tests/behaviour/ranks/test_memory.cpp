@@ -99,7 +99,7 @@ void every_allocation(const scene& s, bool anew, std::int64_t dense, std::int64_
   bool failed = false;
   check(job.run(0, failed) == RC_OK, s.name, 0, "create and solve");
   const std::vector<double> known = job.p;
-  int tried = 0, reached = 1, told = 0;
+  int tried = 0, reached = 1, said = 0;
   for (std::int64_t at = 1; reached; at += at <= dense ? step : at / 8, ++tried) {
     const int victim = tried % ranks;
     if (anew) job.drop();
@@ -110,15 +110,15 @@ void every_allocation(const scene& s, bool anew, std::int64_t dense, std::int64_
     check(everywhere(text), s.name, at, "the same on every rank");
     check(everywhere(job.made() ? "made" : "none"), s.name, at, "a contact on every rank or none");
     check(status == RC_OK || (reached && status == RC_ERR_MEMORY), s.name, at, "status");
-    told += status != RC_OK;
+    said += status != RC_OK;
     if (status == RC_OK) check(job.p == known, s.name, at, "pressures without that memory");
     if (tried % 4 == 0) {
       check(job.run(0, failed) == RC_OK, s.name, at, "the solve after it");
       check(job.p == known, s.name, at, "its pressures");
     }
   }
-  check(told > 0, s.name, 0, "failures that were told");
-  if (rank == 0) std::printf("%s, %s: %d allocations failed, %d failures\n", s.name, anew ? "anew" : "again", tried, told);
+  check(said > 0, s.name, 0, "failures that were reported");
+  if (rank == 0) std::printf("%s, %s: %d allocations failed, %d failures\n", s.name, anew ? "anew" : "again", tried, said);
 }
 
 }  // namespace
@@ -133,7 +133,7 @@ int main(int argc, char** argv) {
   const scene dense[] = {{"dense", 64, 72, free, load, 0.05, 0, holes, "mixed", 0, 2, nullptr},
                          {"dense, periodic", 64, 64, periodic, RC_CONTROL_APPROACH, 0.04, 0, whole, "double", 0, 0, nullptr},
                          {"coarse grids", 300, 280, free, load, 0.4, 0, whole, "mixed", 0, 0, nullptr},
-                         {"alike", 20, 24, free, load, 0.05, 0, holes, "mixed", 0, 0, nullptr}};
+                         {"same", 20, 24, free, load, 0.05, 0, holes, "mixed", 0, 0, nullptr}};
   const scene sparse[] = {{"sparse", 520, 512, free, load, 0.01, 0, holes, "mixed", 0, 0, nullptr},
                           {"sparse, periodic", 520, 512, periodic, load, 0.01, 0, whole, "mixed", 0, 0, nullptr}};
   const bool quick = std::getenv("RC_TEST_QUICK") != nullptr;

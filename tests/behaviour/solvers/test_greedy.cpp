@@ -69,7 +69,7 @@ void repair_solves_it(const Problem& problem, const Answer& reference) {
     const Answer answer = solved(problem, {"greedy", backend}, {{"greedy.repair", "1"}});
     check_near(answer.p, reference.p, 1e-9, "p");
     check(std::string(answer.result.note).find("nnls has repaired it") != std::string::npos,
-          std::string("the repair is not told: ") + answer.result.note);
+          std::string("no remark on the repair: ") + answer.result.note);
   }
 }
 

@@ -1,4 +1,4 @@
-// An operator that was told to forget gives the bits of a new one.
+// An operator that forgets gives the bits of a new one.
 #include <cstdint>
 #include <cstring>
 

@@ -10,7 +10,7 @@ template <class Struct> struct Newer {
   Struct head;
   unsigned char tail[64] = {};
 
-  explicit Newer(const Struct& today, unsigned char last = 0) : head(today) {
+  explicit Newer(const Struct& present, unsigned char last = 0) : head(present) {
     head.struct_size = sizeof(Newer);
     tail[63] = last;
   }

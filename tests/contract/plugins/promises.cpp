@@ -49,7 +49,7 @@ void what_cannot_be_true_is_refused(void**) {
 }
 
 rc_status unwilling(const rc_host* host, const rc_kernel_spec*, double*) {
-  return host->fail(host, RC_ERR_EXTERNAL, "decay: no wave today");
+  return host->fail(host, RC_ERR_EXTERNAL, "decay: no wave here");
 }
 
 void failures_are_passed_on(void**) {
@@ -60,7 +60,7 @@ void failures_are_passed_on(void**) {
   assert_int_equal(add(registry, kernel), RC_OK);
   const Pressed pressed(registry, {{RC_OPT_KERNEL, "decay"}}, RC_BOUNDARY_PERIODIC);
   assert_int_equal(pressed.status, RC_ERR_EXTERNAL);
-  assert_message_has("rc_contact_create: decay: no wave today");
+  assert_message_has("rc_contact_create: decay: no wave here");
 }
 
 rc_status idle(const rc_host*, const rc_kernel_spec*, double*) { return RC_OK; }

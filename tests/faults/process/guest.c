@@ -34,7 +34,7 @@ static int32_t flag;
 static pthread_t caller;
 static int failures, threads_refused;
 
-/* The system refuses a thread if told to. */
+/* The system refuses a thread on demand. */
 __attribute__((visibility("default"))) int pthread_create(pthread_t* thread, const pthread_attr_t* attributes,
                                                           void* (*body)(void*), void* argument) {
   int (*start)(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*) = NULL;

@@ -38,9 +38,9 @@ for arguments in (
     ends = []
     for mebibytes in [*range(8, 48, 1 if full else 5), 512]:
         done = run(arguments, mebibytes * MIB)
-        told = done.returncode == 0 or done.returncode == 1 and done.stdout
+        said = done.returncode == 0 or done.returncode == 1 and done.stdout
         # 127: the system's loader finds no room for the program itself, which has not begun then.
-        assert told or done.returncode == 127, f"{arguments} in {mebibytes} MiB: {done.returncode}: {done.stdout}{done.stderr}"
+        assert said or done.returncode == 127, f"{arguments} in {mebibytes} MiB: {done.returncode}: {done.stdout}{done.stderr}"
         ends.append(done.returncode)
     assert ends[-1] == 0, f"{arguments}: {ends}"
     print(f"{' '.join(arguments)}: {len(ends)} limits, {ends.count(1)} statuses, {ends.count(0)} answers")

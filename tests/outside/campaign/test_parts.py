@@ -57,8 +57,8 @@ class Plans(InFolder):
         tasks = self.tasks()
         self.assertEqual(len(tasks), 2 * 3 * 3)
         self.assertEqual(len({task.key for task in tasks}), len(tasks))
-        told = {(t.asked["surface"]["hurst"], t.asked["surface"]["seed"], tuple(t.asked["history"])) for t in tasks}
-        self.assertEqual(len(told), len(tasks))
+        said = {(t.asked["surface"]["hurst"], t.asked["surface"]["seed"], tuple(t.asked["history"])) for t in tasks}
+        self.assertEqual(len(said), len(tasks))
         self.assertEqual({task.work for task in tasks}, {24 * 32, 3 * 24 * 32})
 
     def test_keys_follow_what_is_asked_and_not_how_it_is_written(self):

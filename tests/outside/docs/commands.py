@@ -41,13 +41,13 @@ def is_here(name, environment=None):
 
 def left_out(block, full, environment):
     """Why this block is not run here; empty: it is."""
-    rule, _, told = block.comment.partition(': ')
+    rule, _, stated = block.comment.partition(': ')
     if rule == 'not run':
-        return told
+        return stated
     if rule == 'run in full':
-        return '' if full else f'with --full: {told}'
+        return '' if full else f'with --full: {stated}'
     if rule == 'needs':
-        absent = [name for name in told.split() if not is_here(name, environment)]
+        absent = [name for name in stated.split() if not is_here(name, environment)]
         return f'there is no {", ".join(absent)}' if absent else ''
     return f'unknown comment: {block.comment}' if rule else ''
 

@@ -13,9 +13,9 @@ def run(*arguments):
 
 def expected(*path):
     """(the heading, the options) of the commands at and below path."""
-    told = run(*path, '--help')
-    options = re.findall(r'^  (--[a-zA-Z0-9-]+)', told, re.M)
-    _, _, below = told.partition('\nSubcommands:\n')
+    said = run(*path, '--help')
+    options = re.findall(r'^  (--[a-zA-Z0-9-]+)', said, re.M)
+    _, _, below = said.partition('\nSubcommands:\n')
     names = re.findall(r'^  (\w+)', below, re.M)
     if path and (options or names):
         yield ' '.join(path), options

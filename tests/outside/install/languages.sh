@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# languages.sh SOURCE BUILD CC CXX FC: CMake projects of one language alone find what they can use, and are told what they cannot.
+# languages.sh SOURCE BUILD CC CXX FC: CMake projects of one language alone find what they can use, and get a message of what they cannot.
 set -euo pipefail
 source=$1 build=$2 cc=$3 cxx=$4 fc=$5
 . "$(dirname "$0")/scratch.sh"
@@ -20,14 +20,14 @@ works() {
 # refused LANGUAGE COMPONENTS TARGET PROGRAM TEXT
 refused() {
   configure "${@:1:4}" && fail "$1: $2 is found"
-  grep -qF "$5" <(tr -s ' \n' ' ' <"$scratch/log") || { cat "$scratch/log"; fail "$1: $2 is not told \"$5\""; }
+  grep -qF "$5" <(tr -s ' \n' ' ' <"$scratch/log") || { cat "$scratch/log"; fail "$1: $2 gets no message \"$5\""; }
   echo "$1 alone, $2: refused"
 }
 
 works C shared roughcontact::roughcontact press_sphere.c
 works C '' roughcontact::roughcontact press_sphere.c
 grep -q "no static libraries" <(configure C '' roughcontact::roughcontact press_sphere.c; tr -s ' \n' ' ' <"$scratch/log") ||
-  fail "C without components is not told of the static ones"
+  fail "C without components gets no message of the static ones"
 works 'C;CXX' static roughcontact::static press_sphere.c
 refused C static roughcontact::static press_sphere.c \
   'component "static" holds C++ code and needs C++ among the project'"'"'s languages: write project(... LANGUAGES C CXX), or take component "shared"'

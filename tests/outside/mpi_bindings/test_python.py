@@ -41,7 +41,7 @@ def main():
         counts = contact.counts()
         raised(rc.ArgumentError, 'one of approach, load', contact.solve, undeformed_gap=gap)
         raised(rc.ShapeError, 'shape', contact.solve, undeformed_gap=np.zeros((NY + 1, NX)), load=1.0)
-        last = WORLD.size - 1  # alone is wrong, and all are told
+        last = WORLD.size - 1  # alone is wrong, and all get its error
         alone = gap[:-1] if WORLD.rank == last else gap
         raised(rc.ShapeError, f'rank {last}: undeformed_gap', contact.solve, undeformed_gap=alone, load=1.0)
         raised(rc.ShapeError, f'rank {last}: pressure', contact.certify, pressure=alone, load=1e-4)

@@ -46,7 +46,7 @@ def rough(ny=96, nx=64, seed=1):
     return z * 1e-7 / z.std()
 
 
-def told(folder, times=False):
+def said(folder, times=False):
     """summary.json, without the times."""
     summary = json.loads((folder / 'summary.json').read_text())
     for step in summary['steps']:
@@ -81,7 +81,7 @@ class RanksTest(unittest.TestCase):
         return [line for line in done.stderr.splitlines() if line.startswith('roughcontact')]
 
     def assert_same(self, one, other):
-        self.assertEqual(told(self.folder / one), told(self.folder / other))
+        self.assertEqual(said(self.folder / one), said(self.folder / other))
         names = sorted(path.name for path in (self.folder / one).iterdir())
         self.assertEqual(names, sorted(path.name for path in (self.folder / other).iterdir()))
         for path in (self.folder / one).glob('*.npy'):

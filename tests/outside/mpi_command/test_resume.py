@@ -1,4 +1,4 @@
-"""A run of roughcontact-mpi that was killed goes on: after its finished steps, and from a checkpoint in the middle of a step."""
+"""A run of roughcontact-mpi that was killed goes on: after its complete steps, and from a checkpoint in the middle of a step."""
 import json
 import os
 import signal
@@ -7,7 +7,7 @@ import time
 from pathlib import Path
 
 import ranks
-from ranks import ENVIRONMENT, PRESS, RanksTest, np, on_ranks, rough, told
+from ranks import ENVIRONMENT, PRESS, RanksTest, np, on_ranks, rough, said
 
 HISTORY = ['surface.npy', *PRESS, '--approach', '1e-7,2e-7,1.5e-7,3e-7,5e-8', '--quiet']
 
@@ -48,7 +48,7 @@ class Resume(RanksTest):
         self.run_ranks(2, *HISTORY, '--out', 'whole')
         second = self.folder / 'cut' / 'pressure-2.npy'
         self.assertNotEqual(self.kill_when(second.exists, 3, *HISTORY, '--out', 'cut'), 0)
-        self.assertLess(len(told(self.folder / 'cut')['steps']), 5)
+        self.assertLess(len(said(self.folder / 'cut')['steps']), 5)
         self.run_ranks(2, *HISTORY, '--out', 'cut', '--resume')
         self.assert_same('whole', 'cut')
 
@@ -64,7 +64,7 @@ class Resume(RanksTest):
         self.assertIn(f'step 1 continues after {at} iterations', done.stderr)
         one, other = (np.load(self.folder / name / 'pressure-1.npy') for name in ('whole', 'cut'))
         self.assertLess(abs(one - other).max(), 1e-8 * one.max())
-        ours, theirs = (told(self.folder / name)['steps'][0] for name in ('whole', 'cut'))
+        ours, theirs = (said(self.folder / name)['steps'][0] for name in ('whole', 'cut'))
         self.assertEqual(ours['iterations'], theirs['iterations'])
 
     def test_another_problem_is_refused(self):

@@ -260,7 +260,7 @@ def test_command_and_report_say_what_dominates(tmp_path):
     again = subprocess.run(
         [*asked, "--out", str(tmp_path / "run"), "--resume", "--quiet"], check=True, capture_output=True, text=True
     )
-    assert "2 of 2 steps are finished" in again.stderr
+    assert "2 of 2 steps are complete" in again.stderr
 
     from roughcontact.report import wording
     from roughcontact.report.content import collect

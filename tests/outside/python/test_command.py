@@ -64,8 +64,8 @@ def test_command_report_and_package_make_the_same_remark(tmp_path):
         last = ran("-m", "roughcontact", "solve", *words, cwd=tmp_path).stdout.splitlines()[-1]
         remark = last.partition("; warning: ")[2]
         with run_of([str(tmp_path / "map.npy"), *words[1:]]) as (folder, _):
-            told = wording.conclusion(collect(folder))
-        assert told.rstrip(".").partition(" Warning: ")[2] == remark
+            said = wording.conclusion(collect(folder))
+        assert said.rstrip(".").partition(" Warning: ")[2] == remark
         result = rc.solve(tmp_path / "map.npy", pitch=1e-6, boundary="periodic", modulus=modulus, pressure=pressure)
         assert remark.replace("--hardness", "hardness=") in result.remarks and ("largest pressure" in result.remarks) == bool(
             remark

@@ -28,7 +28,7 @@ def real(values, dims, coords=None, attrs=None):
     return xarray.DataArray(values, dims=dims, coords=coords, attrs=attrs)
 
 
-@pytest.fixture(params=[Labelled, real], ids=["alike", "xarray"])
+@pytest.fixture(params=[Labelled, real], ids=["labelled", "xarray"])
 def labelled(request):
     return request.param
 

@@ -67,13 +67,13 @@ def test_it_outlives_its_context():
 
 
 def raising(qx, qy):
-    raise ValueError("no wave today")
+    raise ValueError("no wave here")
 
 
 @pytest.mark.parametrize(
     "symbol, error, says",
     [
-        (raising, rc.ExternalError, "kernel wrong: ValueError: no wave today"),
+        (raising, rc.ExternalError, "kernel wrong: ValueError: no wave here"),
         (lambda qx, qy: qx[0], rc.ExternalError, "kernel wrong: ShapeError: the symbol"),
         (lambda qx, qy: "text", rc.ExternalError, "kernel wrong: "),
         (lambda qx, qy: np.full(qx.shape, np.nan), rc.NumericError, 'kernel "wrong": the symbol at wave numbers (1, 0) is nan'),

@@ -80,8 +80,8 @@ def test_one_clear_line_and_status_1(file, tmp_path, capfd, monkeypatch):
     ):
         monkeypatch.setattr(page, "NEEDED", ("numpy",))
         assert command.main(arguments) == 1, arguments
-        told = capfd.readouterr()
-        assert told.out == "" and words in told.err.splitlines()[-1], (arguments, told.err)
+        said = capfd.readouterr()
+        assert said.out == "" and words in said.err.splitlines()[-1], (arguments, said.err)
     monkeypatch.setattr(page, "NEEDED", ("numpy", "no_such_package"))
     assert command.main(["report", *good]) == 1
     assert (
@@ -135,7 +135,7 @@ def test_words(file):
     assert f"Contact area {100 * content.steps[-1].area_fraction:.3g} % at" in wording.conclusion(content)
     assert "above the hardness of any steel" in wording.conclusion(content)
     assert "10 of 10 steps are certified" in wording.certificate(content)
-    told = " ".join(wording.assumptions(content))
+    said = " ".join(wording.assumptions(content))
     for words in (
         "Lengths without a unit are in um",
         "The pitch was given: 1 µm × 1 µm",
@@ -144,7 +144,7 @@ def test_words(file):
         "E = 210GPa",
         "were added for the curves",
     ):
-        assert words in told, told
+        assert words in said, said
     assert all(len(row) == len(wording.STEP_HEAD) for row in wording.step_rows(content))
     assert all(len(row) == len(wording.PROOF_HEAD) for row in wording.proof_rows(content))
     assert dict(wording.surface_rows(content))["rms height"] == "100 nm"
@@ -163,11 +163,11 @@ def test_words(file):
 
 def test_what_was_pressed_stands_below_the_title(file):
     content = collected(file, "--pressure", "20MPa,100MPa", "--hardness", "8GPa")
-    told = " ".join(wording.facts(content))
+    said = " ".join(wording.facts(content))
     loads = [with_prefix(step.load, "N") for step in content.steps]
     for words in ("E* 231 GPa", "hardness 8 GPa", "periodic boundary", f"2 loads, {loads[0]} to {loads[1]}", content.version):
-        assert words in told, told
-    assert datetime.date.fromisoformat(content.date) and content.date in told
+        assert words in said, said
+    assert datetime.date.fromisoformat(content.date) and content.date in said
 
 
 def test_intervals_have_a_half_width(file):

@@ -129,10 +129,10 @@ NOT_BY_RANKS = {"missing": ("fill", "fil"), "backend": ("dense",), "boundary": (
 
 
 def by_ranks(words):
-    told = all(TAKEN[word] & RANKS for word in words) and words["surface"].endswith(".npy") and "pitch" in words
+    taken = all(TAKEN[word] & RANKS for word in words) and words["surface"].endswith(".npy") and "pitch" in words
     names_others = any(word in words and (values is None or words[word] in values) for word, values in NOT_BY_RANKS.items())
     holes = {"holed.npy", "infinite.npy"} & set(words.values()) and "missing" not in words  # their message offers no fill
-    return told and not names_others and not holes and not words.get("against", "").endswith(".gsf")
+    return taken and not names_others and not holes and not words.get("against", "").endswith(".gsf")
 
 
 def doors(words, ranks):
@@ -197,14 +197,14 @@ RESIDUALS = {"seconds", "setup_seconds", "note", "duality_gap", "kkt_primal", "k
 @pytest.mark.parametrize("word, text, values", STEPS)
 def test_the_same_steps(word, text, values, here, command):
     words = given({"load": None, word: text})
-    told = summary_of(words)
+    written = summary_of(words)
     words.pop("surface")
     history, batch = rc.history("surface.npy", **words), rc.batch("surface.npy", **words)
-    assert told["input"]["targets"] == list(history.targets) == pytest.approx(values, rel=1e-12, abs=0)
-    assert told["input"]["control"] == history.prescribed == word
+    assert written["input"]["targets"] == list(history.targets) == pytest.approx(values, rel=1e-12, abs=0)
+    assert written["input"]["control"] == history.prescribed == word
     assert batch.approach[0] == pytest.approx(history.approach, rel=1e-12, abs=0)
     columns = rc.history("surface.npy", **words, stiffness=True, want_gap=True, resumable=1)._columns()
-    for k, step in enumerate(told["steps"]):
+    for k, step in enumerate(written["steps"]):
         assert len(step) > 45
         for name in set(step) - RESIDUALS:
             own = columns[name][k]
@@ -223,11 +223,11 @@ def test_the_same_analysis(word, here, command):
             continue
         done = run([command, "analyze"], words["surface"], words, "--json", "analysis.json")
         assert done.returncode == 0, done.stderr
-        told = json.loads(pathlib.Path("analysis.json").read_text())["statistics"]
+        written = json.loads(pathlib.Path("analysis.json").read_text())["statistics"]
         named = keywords(words)
         found = of(lambda: rc.surface.analyze(rc.prepare(named.pop("surface"), **named)))
         for name in ("rms_height", "rms_slope", "skewness"):
-            assert told[name] == pytest.approx(getattr(found, name), rel=1e-9), (change, name)
+            assert written[name] == pytest.approx(getattr(found, name), rel=1e-9), (change, name)
 
 
 @pytest.mark.parametrize("word", [word for word in RIGHT if RIGHT[word] and TAKEN[word] & LAW and word != "pressure"])
@@ -237,13 +237,13 @@ def test_the_same_law(word, here, command):
         words = {name: value for name, value in given({**change, "pressure": "1kPa..3kPa"}).items() if TAKEN[name] & LAW}
         done = run([command, "law"], words["surface"], words, "--json", "law.json", "--quiet", "--tolerance", "10%")
         assert done.returncode == 0, (change, done.stderr)
-        told = json.loads(pathlib.Path("law.json").read_text())
+        written = json.loads(pathlib.Path("law.json").read_text())
         named = keywords(words)
         found = of(lambda: rc.law(named.pop("surface"), tolerance=0.1, **named))
         assert not isinstance(found, str), (change, found)
         for name in ("nodes", "area", "modulus"):
-            assert told["law"][name] == pytest.approx(found.info[name], rel=1e-12), (change, name)
-        assert told["nodes"][0]["x"] == pytest.approx(found.nodes["x"][0], rel=1e-9)
+            assert written["law"][name] == pytest.approx(found.info[name], rel=1e-12), (change, name)
+        assert written["nodes"][0]["x"] == pytest.approx(found.nodes["x"][0], rel=1e-9)
 
 
 def for_octave(words):
@@ -303,10 +303,10 @@ def test_a_report_hands_every_word_over(word):
 
 
 def test_a_word_of_flow_is_a_function_here(here, command):
-    told = summary_of({**given({}), "leak": "viscosity=2mPas,drop=3bar,along=y"})
-    if "built without" in str(told):
-        pytest.skip(told)
-    told = told["steps"][0]
+    written = summary_of({**given({}), "leak": "viscosity=2mPas,drop=3bar,along=y"})
+    if "built without" in str(written):
+        pytest.skip(written)
+    written = written["steps"][0]
     words = {**given({}), "want_gap": True}
     result = rc.solve(words.pop("surface"), **words)
     leak = result.leak(viscosity=2e-3, pressure_drop=3e5, along="y")
@@ -316,7 +316,7 @@ def test_a_word_of_flow_is_a_function_here(here, command):
         ("leak_upper", leak.upper),
         ("constriction", leak.constriction),
     ):
-        assert told[name] == pytest.approx(value, rel=1e-9), name
+        assert written[name] == pytest.approx(value, rel=1e-9), name
     words = {"pitch": "1um", "modulus": "1GPa", "boundary": "periodic"}
     done = run([command, "solve"], "surface.npy", {**words, "closing-pressure": "x"})
     found = rc.closing_pressure("surface.npy", **words)

@@ -13,7 +13,7 @@ FREE = {"boundary": "free"}
 BODIES = {**ELASTIC, "E2": "1GPa", "nu2": "0.2"}
 
 
-def alike(word, *texts, **more):
+def equal(word, *texts, **more):
     """Rows in which the word's values mean the same."""
     return tuple({word: text, **more} for text in texts)
 
@@ -27,14 +27,14 @@ RIGHT = {
     "surface": [({},)],
     "gap": [],
     "format": [({"format": "npy"}, {})],
-    "height-range": [alike("height-range", "120nm", "0.12um", "1.2e-7", surface="grey.tif")],
+    "height-range": [equal("height-range", "120nm", "0.12um", "1.2e-7", surface="grey.tif")],
     "pitch": [
-        alike(
+        equal(
             "pitch",
             *("1um", "1e-6", "1000nm", "1 um", "1\u00b5m", "1\u03bcm", "1micron", "1e6pm", "1e9fm", "1e-3mm", "1e-4cm"),
             *("1e4A", "1e4\u00c5", "1e-9km", "1e-12Mm", "1um,1e3nm"),
         ),
-        alike("pitch", "1um,2um", "1e-6,2e-6", "1um,2000nm"),
+        equal("pitch", "1um,2um", "1e-6,2e-6", "1um,2000nm"),
     ],
     "unit": [
         ({"surface": "micrometres.npy", **by("approach", "0.02"), "unit": "um", "pitch": "1"}, by("approach", "20nm")),
@@ -44,7 +44,7 @@ RIGHT = {
     "missing": [({"surface": "holed.npy", "missing": "fill"},), ({"surface": "holed.npy", "missing": "exclude"},)],
     "crop": [
         ({"crop": "2um..9um,1um..12um"}, {"crop": "2e-6..9e-6,1e-6..12e-6"}, {"surface": "part.npy"}),
-        alike("crop", "1um", "1um..15um,1um..15um"),
+        equal("crop", "1um", "1um..15um,1um..15um"),
     ],
     "despike": [({"surface": "spiked.npy", "despike": "10"}, {"surface": "clean.npy", "missing": "fill"})],
     "remove": [
@@ -81,20 +81,20 @@ RIGHT = {
     "resample": [({"against": "fine.gsf", "resample": method},) for method in ("linear", "cubic")],
     "shape": [
         (
-            *alike("shape", "sphere:R=1mm", "sphere:R=1e-3", boundary=None),
+            *equal("shape", "sphere:R=1mm", "sphere:R=1e-3", boundary=None),
             {"shape": "sphere:R=1mm", **FREE},
             {"surface": "ball.npy", **FREE},
         ),
-        (*alike("shape", "cylinder:R=1mm", "cylinder:axis=x,R=0.1cm", boundary=None), {"surface": "roller.npy", **FREE}),
-        (*alike("shape", "cylinder:R=1mm,axis=y", boundary=None), {"surface": "turned.npy", **FREE}),
+        (*equal("shape", "cylinder:R=1mm", "cylinder:axis=x,R=0.1cm", boundary=None), {"surface": "roller.npy", **FREE}),
+        (*equal("shape", "cylinder:R=1mm,axis=y", boundary=None), {"surface": "turned.npy", **FREE}),
         (
-            *alike("shape", "wedge:angle=1deg", "wedge:angle=0.017453292519943295rad,axis=x", boundary=None),
+            *equal("shape", "wedge:angle=1deg", "wedge:angle=0.017453292519943295rad,axis=x", boundary=None),
             {"surface": "wedge.npy", **FREE},
         ),
-        (*alike("shape", "wedge:angle=1deg,axis=y", boundary=None), {"surface": "ridge.npy", **FREE}),
+        (*equal("shape", "wedge:angle=1deg,axis=y", boundary=None), {"surface": "ridge.npy", **FREE}),
         ({"shape": "sphere:R=1mm", "remove": "plane", "surface": "tilted.npy"}, {"shape": "sphere:R=1mm", "remove": "plane"}),
     ],
-    "modulus": [alike("modulus", "3GPa", "3e9", "0.003TPa", "3e3 MPa", "3e6kPa", "3e9Pa")],
+    "modulus": [equal("modulus", "3GPa", "3e9", "0.003TPa", "3e3 MPa", "3e6kPa", "3e9Pa")],
     "E": [(ELASTIC, {**ELASTIC, "E": "2e9"}, {"modulus": repr(2e9 / (1 - 0.3**2))})],
     "nu": [({**ELASTIC, "nu": nu}, {"modulus": repr(2e9 / (1 - float(nu) ** 2))}) for nu in ("-0.5", "0", "0.5")],
     "E2": [
@@ -105,16 +105,16 @@ RIGHT = {
         )
     ],
     "nu2": [({**BODIES, "nu2": "0.4"},)],
-    "hardness": [alike("hardness", "3MPa", "3e6")],
+    "hardness": [equal("hardness", "3MPa", "3e6")],
     "layer": [
-        alike("layer", "t=2um,E=3GPa,nu=0.4", "E=3e9,nu=0.4,t=2e-6"),
+        equal("layer", "t=2um,E=3GPa,nu=0.4", "E=3e9,nu=0.4,t=2e-6"),
         ({"layer": "t=2um,E=300MPa,nu=0.5,base=rigid,interface=frictionless", **FREE},),
         ({"layer": "t=2e-6,E=3e9,nu=0.4", **ELASTIC},),
     ],
-    "approach": [alike("approach", "20nm", "0.02um", "2e-8", load=None)],
-    "load": [alike("load", "20uN", "2e-5", "0.02mN", "2e-11MN", "20\u00b5N"), ({"load": "0"},)],
+    "approach": [equal("approach", "20nm", "0.02um", "2e-8", load=None)],
+    "load": [equal("load", "20uN", "2e-5", "0.02mN", "2e-11MN", "20\u00b5N"), ({"load": "0"},)],
     "pressure": [(by("pressure", "100kPa"), by("pressure", "1e5"), {"load": repr(1e5 * (SIDE * STEP) ** 2)})],
-    "area": [alike("area", "10%", "0.1", load=None)],
+    "area": [equal("area", "10%", "0.1", load=None)],
     "closing-pressure": [],  # see test_a_word_of_flow_is_a_function_here
     "leak": [],
     "boundary": [({"boundary": name},) for name in ("free", "periodic-x", "periodic-y")]
@@ -125,7 +125,7 @@ RIGHT = {
     "kernel": [({"kernel": "love", **FREE}, FREE), ({"kernel": "spectral"}, {})],
     "solver": [({"solver": "polonsky-keer"},)],
     "backend": [({"backend": "dense"},)],
-    "tol": [alike("tol", "1e-10", "1.0e-10")],
+    "tol": [equal("tol", "1e-10", "1.0e-10")],
     "threads": [({"threads": "2"}, {})],
 }
 

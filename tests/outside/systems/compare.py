@@ -43,7 +43,7 @@ def main():
             worst = max(worst, apart)
             if apart > TOLERANCE or len(values) != len(other_numbers[name]):
                 wrong.append(f'{text[0]}{name} differs by {apart:.1e}\n')
-    print(*wrong[:20], f'{len(here)} cases, {same} of them the same bit for bit; statuses and messages alike unless shown above; '
+    print(*wrong[:20], f'{len(here)} cases, {same} of them the same bit for bit; the same statuses and messages unless shown above; '
           f'numbers differ by at most {worst:.1e}, {TOLERANCE:g} is allowed', sep='\n')
     return 1 if wrong else 0
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# wheel.sh SYSTEM [WHEEL]: pip, told of that system, installs the wheel (without WHEEL one that packaging/wheel.sh makes) and NumPy into an
+# wheel.sh SYSTEM [WHEEL]: pip, for that system, installs the wheel (without WHEEL one that packaging/wheel.sh makes) and NumPy into an
 # empty folder, and both are used from there: on aarch64 by Debian's Python for that processor under the emulator, beside musl by a
 # Python that is built for it. For Windows there is no Python among Debian's packages: a program in C loads the libraries that were
 # installed, under Wine, and solves with every backend, makes a surface and reads one. Exit code 77 without the network or the emulator.

@@ -59,8 +59,8 @@ class CommandTest(unittest.TestCase):
 
     def solve(self, *arguments, code=0, **settings):
         """Bodies end at their edges, if a test does not say otherwise."""
-        told = any(str(word).split("=")[0] == "--boundary" for word in arguments)
-        done = self.run_command("solve", *arguments, *([] if told else ["--boundary", "free"]), **settings)
+        said = any(str(word).split("=")[0] == "--boundary" for word in arguments)
+        done = self.run_command("solve", *arguments, *([] if said else ["--boundary", "free"]), **settings)
         self.assertEqual(done.returncode, code, done.stderr)
         return done
 

@@ -56,14 +56,14 @@ class Laws(CommandTest):
 
     def test_a_conductance_that_is_not_within_its_tolerance_is_told(self):
         """Where points touch the slope jumps, and no number of nodes narrows that; the exit status counts the pressures."""
-        for share, told in (("2%", True), ("90%", False)):
+        for share, stated in (("2%", True), ("90%", False)):
             self.npy(rough(24, 24, rms=5e-8), "surface.npy")
             done = self.run_command("law", "surface.npy", *MAKE, "--conductance-tolerance", share, "--json", "a.json", "--quiet")
             self.assertEqual(done.returncode, 0, done.stderr)
             width = json.loads((self.folder / "a.json").read_text())["law"]["width_conductance"]
-            self.assertEqual(width > float(share[:-1]) / 100, told)
+            self.assertEqual(width > float(share[:-1]) / 100, stated)
             self.assertEqual(("note: the conductance is within %.2g %% somewhere, not within the %s %% of --conductance-tolerance" % (100 * width, share[:-1]))
-                             in done.stderr, told, done.stderr)
+                             in done.stderr, stated, done.stderr)
 
     def test_beyond_the_law(self):
         self.made()

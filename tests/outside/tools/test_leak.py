@@ -19,7 +19,7 @@ class Leaks(CommandTest):
         return done.stdout, json.loads((self.folder / "out/summary.json").read_text())
 
     def test_steps_have_intervals_that_fall_with_the_pressure(self):
-        told, summary = self.steps("--pressure", "1MPa,5MPa,20MPa", "--leak", FLUID)
+        said, summary = self.steps("--pressure", "1MPa,5MPa,20MPa", "--leak", FLUID)
         first, second, last = summary["steps"]
         for step in (first, second):
             self.assertTrue(0 < step["leak_lower"] <= step["leak"] <= step["leak_upper"] < 1.01 * step["leak_lower"])
@@ -27,16 +27,16 @@ class Leaks(CommandTest):
         self.assertGreater(first["leak_lower"], second["leak_upper"])
         self.assertEqual((last["leak"], last["leak_upper"], last["gap_crosses"], last["constriction_x"]), (0, 0, "none", -1))
         self.assertEqual((summary["input"]["viscosity"], summary["input"]["pressure_drop"], summary["input"]["leak_along"]), (1e-3, 1e5, "x"))
-        lines = re.findall(r"leak along x (\S+) m\^3/s, exact at this approach: (\S+) \.\. (\S+); lowest gap on the best path [\d.]+ nm", told)
+        lines = re.findall(r"leak along x (\S+) m\^3/s, exact at this approach: (\S+) \.\. (\S+); lowest gap on the best path [\d.]+ nm", said)
         np.testing.assert_allclose(np.array(lines[1], float), [second[name] for name in ("leak", "leak_lower", "leak_upper")], rtol=1e-3)
-        self.assertIn("leak along x 0: no path through the gap is left, proven", told)
+        self.assertIn("leak along x 0: no path through the gap is left, proven", said)
         header = (self.folder / "out/steps.csv").read_text().splitlines()[0]
         self.assertIn("leak [m^3/s],leak_lower [m^3/s],leak_upper [m^3/s],constriction [m]", header)
 
     def test_full_contact_has_no_bound(self):
-        told, summary = self.steps("--pressure", "1GPa", "--leak", FLUID)
+        said, summary = self.steps("--pressure", "1GPa", "--leak", FLUID)
         self.assertEqual([summary["steps"][0][name] for name in ("leak", "leak_upper", "gap_crosses")], [0, None, "none"])
-        self.assertIn("leak along x 0 m^3/s, no bound is known\n", told)
+        self.assertIn("leak along x 0 m^3/s, no bound is known\n", said)
 
     def test_the_axis_is_that_of_the_word(self):
         _, along_x = self.steps("--pressure", "1MPa", "--leak", FLUID)

@@ -157,7 +157,7 @@ class Pictures(CommandTest):
         self.assertIn("largest 20 MPa at %d points, one in the ring" % capped, script)
 
     def script_of_history(self, z, *arguments):
-        """What gnuplot is told to draw, of the steps and of the history."""
+        """What gnuplot gets to draw, of the steps and of the history."""
         shutil.rmtree(self.folder / "out", ignore_errors=True)
         (self.folder / "script").unlink(missing_ok=True)
         self.file("gnuplot", "#!/bin/sh\ncat >>'%s/script'\necho picture\n" % self.folder)

@@ -9,7 +9,7 @@ PRESS = ["--pitch", "1e-6", "--modulus", "1e9", "--boundary", "free"]
 TIMES = ("seconds", "setup_seconds")
 
 
-def told(folder):
+def said(folder):
     """summary.json without the times."""
     summary = json.loads((folder / "summary.json").read_text())
     for step in summary["steps"]:
@@ -25,7 +25,7 @@ def rows(folder):
 
 
 def assert_same_results(test, one, other):
-    test.assertEqual(told(one), told(other))
+    test.assertEqual(said(one), said(other))
     test.assertEqual(rows(one), rows(other))
     test.assertEqual(sorted(path.name for path in one.iterdir()), sorted(path.name for path in other.iterdir()))
     for path in one.glob("*.npy"):
@@ -72,7 +72,7 @@ class Resume(CommandTest):
             for steps in range(1, len(targets) + 1):
                 self.press(",".join(targets[:steps]), cut, "--resume", *yielding, control=control)
             assert_same_results(self, cut, whole)
-            summary = told(whole)
+            summary = said(whole)
             self.assertEqual(summary["input"]["hardness"], 2e7)
             last, step = np.load(whole / "indentation-5.npy"), summary["steps"][-1]
             self.assertGreater(step["capped"], 0)
@@ -99,7 +99,7 @@ class Resume(CommandTest):
         summary["steps"][1]["status"] = "RC_STOP_CANCELLED"
         self.file("cut/summary.json", json.dumps(summary))
         done = self.press("1e-7,2e-7,2.5e-7", "cut", "--resume")
-        self.assertIn("1 of 3 steps are finished", done.stderr)
+        self.assertIn("1 of 3 steps are complete", done.stderr)
         self.assertEqual(len(done.stdout.splitlines()), 5)  # two of head, two steps, the conclusion
         assert_same_results(self, self.folder / "cut", self.folder / "whole")
 
@@ -108,7 +108,7 @@ class Resume(CommandTest):
         self.press("1e-7,2e-7", "cut", "--quiet", "--resume")
         before = {path.name: path.read_bytes() for path in (self.folder / "cut").iterdir()}
         done = self.press("1e-7,2e-7", "cut", "--resume")
-        self.assertEqual(done.stderr, "roughcontact: --resume: 2 of 2 steps are finished\n")
+        self.assertEqual(done.stderr, "roughcontact: --resume: 2 of 2 steps are complete\n")
         self.assertEqual(before, {path.name: path.read_bytes() for path in (self.folder / "cut").iterdir()})
         assert_same_results(self, self.folder / "cut", self.folder / "whole")
 
@@ -116,7 +116,7 @@ class Resume(CommandTest):
         self.press("1e-7,2e-7", "out", "--quiet")
         good = [*PRESS, "--approach"]
         self.assert_refused(*good, "1e-7,2.5e-7,3e-7", says=["--resume", "summary.json", "target of step 2"])
-        self.assert_refused(*good, "1e-7", says="finished steps 2, this one has 1")
+        self.assert_refused(*good, "1e-7", says="complete steps 2, this one has 1")
         self.assert_refused(*good, "1e-7,2e-7,3e-7", "--tol", "1e-6", says="tol")
         self.assert_refused(*good, "1e-7,2e-7,3e-7", "--solver", "nnls", says="solver")
         self.assert_refused("--pitch", "1e-6", "--modulus", "2e9", "--boundary", "free", "--approach", "1e-7,2e-7,3e-7", says="modulus")

@@ -35,8 +35,8 @@ class RunScript(CommandTest):
     def test_a_surface_is_levelled_unless_told_otherwise(self):
         self.assertIn("solve s.x3p --remove plane --modulus", self.asked("s.x3p"))
         self.assertIn("solve s.x3p --E 210GPa --nu 0.3 --remove plane", self.asked("s.x3p", "--E", "210GPa", "--nu", "0.3"))
-        for told in (["--remove", "none"], ["--remove=quadric"]):
-            self.assertNotIn("--remove plane", self.asked("s.x3p", "--E", "210GPa", *told))
+        for stated in (["--remove", "none"], ["--remove=quadric"]):
+            self.assertNotIn("--remove plane", self.asked("s.x3p", "--E", "210GPa", *stated))
 
     def test_without_a_surface_it_answers_a_question(self):
         (self.folder / "build-run/bin/roughcontact").write_text(

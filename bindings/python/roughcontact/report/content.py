@@ -190,7 +190,7 @@ def collect(folder: pathlib.Path, curve: bool = False, law: Optional[str] = None
     summary = json.loads(text)
     given, steps = summary["input"], [Step(fields) for fields in summary["steps"]]
     if not steps:
-        raise ArgumentError(f"{folder} has no finished step")
+        raise ArgumentError(f"{folder} has no complete step")
     digits = len(str(len(given["targets"])))
     heights, pressure, gap = (
         _array(folder, name)

@@ -136,13 +136,13 @@ class Figures:
                 )
             )
         figure = self._curve([100 * step.area_fraction for step in c.steps], "%", "contact area", True, others)
-        told = "Share of the nominal area in contact."
-        told += " Persson's line is erf(√2 p/(E* h′)) with the rms slope h′ of the map." if c.persson else ""
-        return Figure("area", "Contact area against load", told, figure)
+        caption = "Share of the nominal area in contact."
+        caption += " Persson's line is erf(√2 p/(E* h′)) with the rms slope h′ of the map." if c.persson else ""
+        return Figure("area", "Contact area against load", caption, figure)
 
     def curves(self) -> List[Figure]:
         found = [self.area()]
-        for key, name, unit, y_log, told in (
+        for key, name, unit, y_log, caption in (
             ("gap", "mean gap", "m", False, "Of the deformed bodies, over all points."),
             ("stiffness", "stiffness", "N/m", True, "dW/dd: how much the load grows with the approach."),
             ("approach", "approach", "m", False, "Counted from first touch of the highest point."),
@@ -152,8 +152,8 @@ class Figures:
             if np.isfinite(values).any():
                 title = f"{name.capitalize()} against load"
                 smooth = self._smooth(values) if name == "approach" else []
-                told += " Dashed: Hertz' for the smooth body." if smooth else ""
-                found.append(Figure(key, title, told, self._curve(values, unit, name, y_log, smooth)))
+                caption += " Dashed: Hertz' for the smooth body." if smooth else ""
+                found.append(Figure(key, title, caption, self._curve(values, unit, name, y_log, smooth)))
         return found
 
     def contact_law(self) -> Optional[Figure]:
@@ -186,10 +186,10 @@ class Figures:
                 **named,
             ),
         ]
-        told = f"Contact law of {info['nodes']} nodes, nominal pressure within {100 * info['width']:.2g} %, and the steps of the table."
+        caption = f"Contact law of {info['nodes']} nodes, nominal pressure within {100 * info['width']:.2g} %, and the steps of the table."
         labels = f"overclosure [{metre}m]", f"nominal pressure [{pascal}Pa]"
         figure = self._figure(traces, *labels, xaxis=LOG, yaxis=LOG)
-        return Figure("law", "Pressure against overclosure", told, figure)
+        return Figure("law", "Pressure against overclosure", caption, figure)
 
     def _map(self, values: Doubles, unit: str, name: str, colours: Any, **how: Any) -> Any:
         maps = self.content.maps
@@ -221,35 +221,35 @@ class Figures:
         return f" Each cell shows the {what} of {side} × {side} points." if side > 1 else " Each cell is a point."
 
     def height_map(self) -> Figure:
-        told = "Above the mean, as pressed; the highest point touches first." + self._of_blocks("mean")
-        return Figure("heights", "Heights", told, self._map(self.content.maps.heights, "m", "height", "Greys_r"), self.wide)
+        caption = "Above the mean, as pressed; the highest point touches first." + self._of_blocks("mean")
+        return Figure("heights", "Heights", caption, self._map(self.content.maps.heights, "m", "height", "Greys_r"), self.wide)
 
     def pressure_map(self) -> Figure:
         last, shown = self.content.steps[-1], self.content.maps.pressure
         top = float(np.quantile(shown[shown > 0], 0.995)) if (shown > 0).any() else 1.0
         factor = prefix_for(float(shown.max()))[0]
         figure = self._map(shown, "Pa", "pressure", PRESSURES, zmin=0, zmax=top / factor)
-        told = f"Of the last step, {100 * last.area_fraction:.3g} % of the points in contact; no contact is dark."
+        caption = f"Of the last step, {100 * last.area_fraction:.3g} % of the points in contact; no contact is dark."
         if self.content.maps.side > 1:
-            told += (
+            caption += (
                 f" Cells with contact cover {100 * (shown > 0).mean():.3g} % of the map, because one point makes a cell bright."
             )
-        return Figure("pressure", "Pressure", told + self._of_blocks("largest"), figure, self.wide)
+        return Figure("pressure", "Pressure", caption + self._of_blocks("largest"), figure, self.wide)
 
     def gap_map(self) -> Figure:
         last = self.content.steps[-1]
         crossing = Crossing(last.contact_crosses, last.gap_crosses, axes_of(REPEATS[self.content.input["boundary"]]))
-        told = f"Between the deformed bodies in the last step; 0 in contact. From side to side {crossing}." + self._of_blocks(
+        caption = f"Between the deformed bodies in the last step; 0 in contact. From side to side {crossing}." + self._of_blocks(
             "mean"
         )
-        return Figure("gaps", "Gap", told, self._map(self.content.maps.gap, "m", "gap", "Viridis"), self.wide)
+        return Figure("gaps", "Gap", caption, self._map(self.content.maps.gap, "m", "gap", "Viridis"), self.wide)
 
     def fluid_map(self) -> Optional[Figure]:
         fluid = self.content.maps.fluid
         if fluid is None or np.isnan(fluid).all():
             return None
-        told = "In the last step, over the drop: 1 where the fluid enters. Where nothing flows is dark." + self._of_blocks("mean")
-        return Figure("fluid", "Pressure of the fluid", told, self._map(fluid, "", "pressure", "Viridis", zmin=0, zmax=1), self.wide)
+        caption = "In the last step, over the drop: 1 where the fluid enters. Where nothing flows is dark." + self._of_blocks("mean")
+        return Figure("fluid", "Pressure of the fluid", caption, self._map(fluid, "", "pressure", "Viridis", zmin=0, zmax=1), self.wide)
 
     def pressures(self) -> Optional[Figure]:
         found = self.content.histogram
@@ -264,11 +264,11 @@ class Figures:
             marker={"color": RED, "line": {"width": 0}},
             hovertemplate=f"%{{x:.4g}} {prefix}Pa: %{{y:.3g}} % of the contact<extra></extra>",
         )
-        told = "Of the points in contact, in the last step."
+        caption = "Of the points in contact, in the last step."
         return Figure(
             "pressures",
             "Distribution of pressure",
-            told,
+            caption,
             self._figure([bars], f"pressure [{prefix}Pa]", "share of the contact [%]", bargap=0),
         )
 
@@ -287,9 +287,9 @@ class Figures:
             line={"color": RED},
             hovertemplate="about %{x:.3g} µm²: %{y} patches<extra></extra>",
         )
-        told = f"{len(areas)} connected parts in the last step; the largest has {100 * areas.max() / areas.sum():.3g} % of the contact."
+        caption = f"{len(areas)} connected parts in the last step; the largest has {100 * areas.max() / areas.sum():.3g} % of the contact."
         figure = self._figure([bars], "area of a patch [µm²], by factors of two", "patches", xaxis=LOG, yaxis=LOG)
-        return Figure("patches", "Sizes of contact patches", told, figure)
+        return Figure("patches", "Sizes of contact patches", caption, figure)
 
     def spectrum(self) -> Optional[Figure]:
         found, law = self.content.spectrum, self.content.law
@@ -324,8 +324,8 @@ class Figures:
         factor, prefix = prefix_for(float(np.abs(heights).max()))
         hover = f"%{{x:.3g}} % of the points are above %{{y:.4g}} {prefix}m<extra></extra>"
         line = self.graph.Scatter(x=100 * shares, y=heights / factor, mode="lines", line={"color": RED}, hovertemplate=hover)
-        told = "The share of the undeformed surface that lies higher (Abbott and Firestone)."
-        return Figure("bearing", "Bearing curve", told, self._figure([line], "share [%]", f"height above mean [{prefix}m]"))
+        caption = "The share of the undeformed surface that lies higher (Abbott and Firestone)."
+        return Figure("bearing", "Bearing curve", caption, self._figure([line], "share [%]", f"height above mean [{prefix}m]"))
 
 
 def figures_of(content: Content) -> Tuple[List[Figure], str]:

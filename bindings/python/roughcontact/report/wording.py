@@ -279,40 +279,40 @@ def _material(words: Dict[str, str]) -> str:
     if "modulus" in words:
         return "the contact modulus was given"
     bodies = [(words.get("E" + which), words.get("nu" + which)) for which in ("", "2")]
-    told = " and ".join(f"E = {E}, ν = {nu}" for E, nu in bodies if E is not None)
-    return told + ("" if "E2" in words or "," in words["E"] else "; the other body is rigid")
+    moduli = " and ".join(f"E = {E}, ν = {nu}" for E, nu in bodies if E is not None)
+    return moduli + ("" if "E2" in words or "," in words["E"] else "; the other body is rigid")
 
 
 def assumptions(content: Content) -> List[str]:
     words, missing = content.words, content.input["missing"]
-    told = [f"{text[0].upper()}{text[1:]}." for text in content.input["assumed"]]
+    lines = [f"{text[0].upper()}{text[1:]}." for text in content.input["assumed"]]
     if "unit" in words:
-        told.append(f"Lengths without a unit are in {words['unit']}.")
+        lines.append(f"Lengths without a unit are in {words['unit']}.")
     if "pitch" in words:
-        told.append(f"The pitch was given: {' × '.join(with_prefix(side, 'm', 5) for side in content.surface.pitch)}.")
+        lines.append(f"The pitch was given: {' × '.join(with_prefix(side, 'm', 5) for side in content.surface.pitch)}.")
     rule = {"fill": "interpolated from their neighbours: contact there is a guess", "exclude": "kept out of contact"}
-    told.append(f"{missing} missing points were {rule[words['missing']]}." if missing else "No point is missing.")
+    lines.append(f"{missing} missing points were {rule[words['missing']]}." if missing else "No point is missing.")
     form = words.get("remove", "none")
     changes = [] if form == "none" else [f"A least-squares {form} was taken off the heights."]
-    told_of = {"against": "The heights of {} were added.", "shape": "The shape {} was added."}
-    changes += [text.format(words[word]) for word, text in told_of.items() if word in words]
-    told += changes or ["The heights were taken as they are."]
-    told.append(f"Contact modulus E* = {with_prefix(content.modulus, 'Pa', 4)}: {_material(words)}.")
+    sentences = {"against": "The heights of {} were added.", "shape": "The shape {} was added."}
+    changes += [text.format(words[word]) for word, text in sentences.items() if word in words]
+    lines += changes or ["The heights were taken as they are."]
+    lines.append(f"Contact modulus E* = {with_prefix(content.modulus, 'Pa', 4)}: {_material(words)}.")
     if content.hardness:
-        told.append(
+        lines.append(
             f"Elastic up to the hardness of {with_prefix(content.hardness, 'Pa', 4)}; where it acts the overlap is plastic and stays."
         )
     else:
-        told.append("Linear elastic at every pressure; no hardness was given.")
+        lines.append("Linear elastic at every pressure; no hardness was given.")
     layer = f"a layer on it ({words['layer']})" if "layer" in words else "no layers"
-    told.append(f"Small slopes, an elastic half-space, no adhesion, no friction, {layer}.")
+    lines.append(f"Small slopes, an elastic half-space, no adhesion, no friction, {layer}.")
     if content.curve:
-        told.append("One target was given; the steps below it were added for the curves.")
+        lines.append("One target was given; the steps below it were added for the curves.")
     if content.input["boundary"] == "free":
-        told.append("Free boundary: nothing presses beyond the map's edges.")
+        lines.append("Free boundary: nothing presses beyond the map's edges.")
     elif "boundary" in words:
-        told.append(f"Boundary {words['boundary']}: the map is a sample of a larger surface.")
-    return told
+        lines.append(f"Boundary {words['boundary']}: the map is a sample of a larger surface.")
+    return lines
 
 
 def doubts(content: Content) -> List[str]:
@@ -340,15 +340,15 @@ def doubts(content: Content) -> List[str]:
 def certificate(content: Content) -> str:
     certified = sum(step.certified for step in content.steps)
     within = sum(step.status == Status.WITHIN_GOAL for step in content.steps)
-    told = (
+    text = (
         f"{certified} of {len(content.steps)} steps are certified: a fresh product with the influence matrix has shown that every "
         "residual of the conditions of contact (no tension, no overlap, pressure only where the gap is closed, the load) is within "
         "the limit. That is a checked solution, not a calibrated instrument. The intervals hold the exact load and contact area of "
         "this grid at the approach found."
     )
     if within:
-        told += f" {within} were solved on a coarser grid, within the goal of option accuracy: their errors are estimates, not proven."
-    return told
+        text += f" {within} were solved on a coarser grid, within the goal of option accuracy: their errors are estimates, not proven."
+    return text
 
 
 CITATION = (

@@ -192,9 +192,9 @@ std::optional<Numbers> AccuracyGoal::solve(GridContact& given, const Step& step,
   if (found.status != RC_OK) {
     Answer none;
     none.status = found.status;
-    Finished finished = certified_result(given.problem(), step.target, std::move(none), Attempt{monitor}, outputs);
-    Numbers numbers = finished.numbers;
-    if (numbers.status == RC_OK) given.remember(std::move(finished), {});
+    StepResult result = certify_and_write(given.problem(), step.target, std::move(none), Attempt{monitor}, outputs);
+    Numbers numbers = result.numbers;
+    if (numbers.status == RC_OK) given.remember(std::move(result), {});
     return numbers;
   }
   if (!step.p0.data) estimate = std::move(found.estimate);

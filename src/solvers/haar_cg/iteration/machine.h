@@ -68,7 +68,7 @@ concept Machine = std::floating_point<typename M::Real> && std::constructible_fr
 
   // p = max(p, 0), and cap where it is that but for rounding or more; every unknown is in the free set; t = 0.
   { m.begin() } -> std::same_as<HaarStart>;
-  // p *= number; with yes only where p is below the cap, and up to the cap.
+  // p *= number. With yes: only where p is below the cap, and no further than the cap.
   m.multiply(number, yes);
   // p *= number where p is below the cap, and up to the cap; z is what that added to p; with yes it is added to z. Like advance()
   // it is called while z is 0 off the free set, as apply_trees() leaves it.

@@ -59,7 +59,7 @@ inline rc_status option_real(const rc_host* host, const rc_options*, const char*
 
 inline rc_status coefficients(const rc_host* host, const rc_system* system, const char*, std::int64_t mx, std::int64_t my,
                               double* out) {
-  if (state().coefficients_fail) return set_message(host, RC_ERR_INTERNAL, "no coefficients today");
+  if (state().coefficients_fail) return set_message(host, RC_ERR_INTERNAL, "no coefficients here");
   state().mx = mx;
   state().my = my;
   ++state().requests;

@@ -117,9 +117,9 @@ void what_cannot_fit_is_refused_before_it_is_allocated(void**) {
       const Outcome made = solve(solver, 500, 400, 1e3);
       const std::string message = rc_last_error();
       print_message("%s\n", message.c_str());
-      const bool told = message.find("dense: the matrix of 200000 unknowns needs 160") != std::string::npos &&
+      const bool said = message.find("dense: the matrix of 200000 unknowns needs 160") != std::string::npos &&
                         message.find("\"fft\"") != std::string::npos;
-      return Outcome{told ? made.status : RC_OK, made.contacts, made.candidates};
+      return Outcome{said ? made.status : RC_OK, made.contacts, made.candidates};
     });
     assert_int_equal(outcome.status, RC_ERR_MEMORY);
     assert_true(peak <= 2.0 * library_and_arrays);

@@ -1,4 +1,4 @@
-// Arguments that ranks must give alike, on ranks that are threads of this process.
+// Arguments that ranks must give the same, on ranks that are threads of this process.
 #include <condition_variable>
 #include <cstring>
 #include <mutex>
@@ -63,8 +63,8 @@ const char* shift(void* user, std::int64_t, const void* from, std::int64_t, std:
   return nullptr;
 }
 
-// What each rank is told where these are its facts: the error's message, or "".
-std::vector<std::string> told(const std::vector<std::vector<rc::Fact>>& facts) {
+// What each rank gets where these are its facts: the error's message, or "".
+std::vector<std::string> said(const std::vector<std::vector<rc::Fact>>& facts) {
   Meeting meeting(facts.size());
   std::vector<std::string> result(facts.size());
   std::vector<std::thread> ranks;
@@ -95,18 +95,18 @@ void ranks_of_another_version_are_refused(void**) {
   assert_int_equal(rc_options_create(nullptr, &options), RC_OK);
   const std::vector<rc::Fact> ours = rc::facts_of(system, *options);
   rc_options_destroy(options);
-  for (const std::string& each : told({ours, ours, ours})) assert_string_equal(each.c_str(), "");
+  for (const std::string& each : said({ours, ours, ours})) assert_string_equal(each.c_str(), "");
   std::vector<rc::Fact> theirs = ours;
   assert_string_equal(theirs[0].name.c_str(), "the library's version");
   const std::string version = theirs[0].value;
   theirs[0].value = "9.9.9, ABI 9";
   const std::string expected = "rank 2 and rank 0 disagree on the library's version: 9.9.9, ABI 9 and " + version;
-  for (const std::string& each : told({ours, ours, theirs})) assert_string_equal(each.c_str(), expected.c_str());
+  for (const std::string& each : said({ours, ours, theirs})) assert_string_equal(each.c_str(), expected.c_str());
 }
 
 void ranks_with_other_components_are_refused(void**) {
   const std::vector<rc::Fact> ours{{"a", "1"}, {"option other.key", "2"}}, fewer{{"a", "1"}};
-  for (const std::string& each : told({ours, fewer}))
+  for (const std::string& each : said({ours, fewer}))
     assert_string_equal(each.c_str(), "rank 1 and rank 0 have different options: their components differ");
 }
 
