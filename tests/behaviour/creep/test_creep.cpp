@@ -116,9 +116,9 @@ std::vector<Step> path(double target) {
 }
 
 Field creep_of(const Contact& contact, std::size_t values, double* time = nullptr) {
-  Field told(values, -7);
-  check(rc_contact_creep(contact.handle(), RC_OUT(told.data()), time) == RC_OK, rc_last_error());
-  return told;
+  Field said(values, -7);
+  check(rc_contact_creep(contact.handle(), RC_OUT(said.data()), time) == RC_OK, rc_last_error());
+  return said;
 }
 
 void steps_are_certified(std::int32_t boundary, std::int32_t control, const Pair& pair, bool masked) {
@@ -152,12 +152,12 @@ void steps_are_certified(std::int32_t boundary, std::int32_t control, const Pair
             "the load is in its interval");
       own.end(step, answer.p);
       double time = 0;
-      const Field told = creep_of(contact, 3 * problem.points(), &time);
+      const Field said = creep_of(contact, 3 * problem.points(), &time);
       check(time == step.time, "the time of the memory");
       const auto n = static_cast<std::ptrdiff_t>(problem.points());
-      check_near(Field(told.begin(), told.begin() + n), own.elastic_deflection(), 1e-10, "H p");
+      check_near(Field(said.begin(), said.begin() + n), own.elastic_deflection(), 1e-10, "H p");
       for (std::size_t k = 0; k < table.ratio.size(); ++k) {
-        const auto first = told.begin() + static_cast<std::ptrdiff_t>(k + 1) * n;
+        const auto first = said.begin() + static_cast<std::ptrdiff_t>(k + 1) * n;
         check_near(Field(first, first + n), own.delayed()[k], 1e-10, "a delayed deflection");
       }
     }
@@ -364,9 +364,9 @@ void hardness_and_creep_add_up() {
     check_near(answer.result.plastic_volume, expected.result.plastic_volume, 1e-7 * problem.cell_area(), "volume");
     for (std::size_t i = 0; i < indentation.size(); ++i)
       if (answer.p[i] == problem.system.hardness) indentation[i] += std::max(0.0, -answer.gap[i]);
-    Field told(problem.points());
-    check(rc_contact_indentation(contact.handle(), RC_OUT(told.data())) == RC_OK, rc_last_error());
-    check_near(told, indentation, 1e-13, "indentation");
+    Field said(problem.points());
+    check(rc_contact_indentation(contact.handle(), RC_OUT(said.data())) == RC_OK, rc_last_error());
+    check_near(said, indentation, 1e-13, "indentation");
     capped += answer.result.capped;
     own.end(step, answer.p);
   }
