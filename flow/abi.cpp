@@ -129,8 +129,8 @@ rc_flow_result flow_of(const Layout& layout, const rc_flow_spec& spec, Gap gap, 
   return answer;
 }
 
-rc_system read_system(const rc_system* given) {
-  const auto system = read<rc_system>(given, "rc_system", RC_SYSTEM_INIT);
+rc_system system_with_gaps(const rc_system* given) {
+  const rc_system system = read_system(given);
   if (system.op != RC_OPERATOR_HALFSPACE && system.op != RC_OPERATOR_DENSE)
     fail(RC_ERR_INCOMPATIBLE,
          "the system's op must be RC_OPERATOR_HALFSPACE or RC_OPERATOR_DENSE: the gap's error is not known for others; "
@@ -165,7 +165,7 @@ rc_status rc_flow_solve(const rc_flow_spec* given, rc_flow_result* out) {
 rc_status rc_flow_of_result(const rc_system* given_system, const rc_options* options, const rc_result* given_result,
                             const rc_flow_spec* given, rc_flow_result* out) {
   return answered("rc_flow_of_result", out, "rc_flow_result", [&] {
-    const rc_system system = read_system(given_system);
+    const rc_system system = system_with_gaps(given_system);
     const rc_flow_spec spec = read_spec(given);
     const rc_result result = read_result(given_result);
     check_sides(spec.sides, true);
@@ -230,7 +230,7 @@ rc_status rc_flow_factors_find(const rc_flow_spec* given, rc_flow_factors* out) 
 rc_status rc_flow_closing_pressure(const rc_system* given_system, const rc_options* options, const rc_step* given_step,
                                    const rc_flow_spec* given, rc_flow_closing* out) {
   return answered("rc_flow_closing_pressure", out, "rc_flow_closing", [&] {
-    const rc_system system = read_system(given_system);
+    const rc_system system = system_with_gaps(given_system);
     const rc_flow_spec spec = read_spec(given);
     check_sides(spec.sides, true);
     const rc_step step = read_step(given_step);
