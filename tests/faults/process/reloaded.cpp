@@ -23,7 +23,7 @@ bool once(const char* path) {
   const auto destroy = reinterpret_cast<decltype(&rc_context_destroy)>(dlsym(library, "rc_context_destroy"));
   const auto count = reinterpret_cast<decltype(&rc_component_count)>(dlsym(library, "rc_component_count"));
   rc_context* context = nullptr;
-  if (!create || !destroy || !count || create(nullptr, &context) != RC_OK) return false;
+  if (!create || !destroy || !count || create(0, nullptr, nullptr, nullptr, &context) != RC_OK) return false;
   const std::int64_t found = count(context, RC_COMPONENT_BACKEND);
   destroy(context);
   return count(nullptr, RC_COMPONENT_BACKEND) == found && dlclose(library) == 0;
