@@ -53,12 +53,11 @@ OUTSIDE = {  # other folders: public headers they may include; besides, their ow
     'examples': PUBLIC,
     'integrations': PUBLIC,
 }
-# The files of src that folders outside src, or the law, may include: folders or single headers of src; plugins also HAAR, the
-# flow the session with CHOLMOD of backends/cholmod.
 # The parts of haar-cg that need no other part of the library: plugins that run its iteration on a machine of their own compile them.
 HAAR = {'solvers/problem.h', 'solvers/haar_cg/iteration/iteration.h', 'solvers/haar_cg/starts.h', 'trees/tree_inputs.h', 'trees/tree_shape.h',
         'trees/algebra.inc'}
 BESIDE = {'core', 'abi/own_guard.h', 'abi/sized_struct.h'}
+# Folders and headers of src that others, and the law, may include; the flow also includes the session of backends/cholmod.
 BORROWED = {'surface': BESIDE | {'grid'}, 'formats': BESIDE | {'platform'}, 'request': BESIDE, 'flow': BESIDE | {'abi/steps.h', 'platform', 'cholmod'}, 'tools': {'core/text.h', 'platform'}, 'law': {'abi/arrays.h', 'abi/guard.h', 'abi/sized_struct.h'}, 'backends': {'platform', 'core/certificate_terms.h', 'core/start_terms.h'} | HAAR}
 WITHIN = {('cuda_host', 'cuda/tables.h')}  # one plugin, built twice
 EXCEPTIONS = {('src/registry/builtin.cpp.in', 'backends/known.def'),  # a list of names

@@ -61,8 +61,10 @@ constexpr Key header_keys[] = {
     {"|x-pixels|nx|w|ncols|cols|columns|xres|spalten|samps/line|samples/line|", Role::columns},
     {"|y-pixels|ny|h|nrows|rows|lines|number of lines|yres|zeilen|", Role::rows},
     {"|resolution|size|shape|pixels|points|", Role::size},
-    {"|pixel size|cellsize|pitch|pixel pitch|spacing|", Role::other, &TextHeader::pixel_x, &TextHeader::pixel_y,
-     &TextHeader::x_unit, &TextHeader::y_unit},
+    {"|pixel size|cellsize|pitch|pixel pitch|spacing|schrittweite|punktabstand|pixelgr\xc3\xb6\xc3\x9f"
+     "e|pixelgr\xf6\xdf"
+     "e|",
+     Role::other, &TextHeader::pixel_x, &TextHeader::pixel_y, &TextHeader::x_unit, &TextHeader::y_unit},
     {"|scale x|pitch x|x pitch|x-pitch|spacing x|x spacing|", Role::other, &TextHeader::pixel_x, nullptr, &TextHeader::x_unit},
     {"|scale y|pitch y|y pitch|y-pitch|spacing y|y spacing|", Role::other, &TextHeader::pixel_y, nullptr, &TextHeader::y_unit},
     {"|height conversion factor (-> m)|", Role::other, &TextHeader::metres},
@@ -163,6 +165,21 @@ std::pair<const Key*, std::string_view> key_of(std::string_view name) {
   return key && key->number ? std::pair{key, label.unit} : std::pair<const Key*, std::string_view>{nullptr, ""};
 }
 
+// "Width: 10 um; Height: 8 um": its statements, if each has a known key; else nothing.
+std::vector<std::string_view> statements(std::string_view line) {
+  std::vector<std::string_view> found;
+  while (!line.empty()) {
+    const auto end = std::min(line.find(';'), line.size());
+    const auto part = trimmed(line.substr(0, end));
+    line.remove_prefix(std::min(end + 1, line.size()));
+    if (part.empty()) continue;
+    const auto pair = at_separator(part);
+    if (!pair || !key_of(pair->key).first) return {};
+    found.push_back(part);
+  }
+  return found;
+}
+
 }  // namespace
 
 void TextHeader::read_pair(const Key& key, const Split& pair, std::string_view key_unit) {
@@ -207,6 +224,11 @@ void TextHeader::read_counts(std::string_view line) {
 }
 
 bool TextHeader::read_comment(std::string_view line) {
+  if (const auto parts = statements(line); parts.size() > 1) {
+    bool own = false;
+    for (const std::string_view part : parts) own |= read_comment(part);
+    return own;
+  }
   const auto pair = at_separator(line);
   const auto [key, unit] = pair ? key_of(pair->key) : std::pair<const Key*, std::string_view>{nullptr, ""};
   if (!key || key->counts()) {
@@ -221,6 +243,8 @@ bool TextHeader::read_comment(std::string_view line) {
 bool TextHeader::read_line(std::string_view line) {
   if (std::string_view("0123456789-+.;,").find(line.front()) != line.npos || is_missing_mark(row_fields(line).front()))
     return false;
+  if (const auto parts = statements(line); parts.size() > 1)
+    return std::ranges::all_of(parts, [this](std::string_view part) { return read_line(part); });
   auto pair = at_separator(line);
   const bool blank = !pair && line.find_first_of(";\t,") == line.npos;
   if (!pair) pair = at_first_gap(line);

@@ -62,7 +62,7 @@ void cut(const Region& part, Map& map) {
   }
   map.own.resize(map.points());
   map.z = map.own.data();
-  map.periodic = 0;
+  if (map.periodic == 1) map.periodic = -1;  // a part of it is a sample of a larger surface
 }
 
 // Points of a row with this pitch that lie between the first and the last point of another, whose first is at `from`.

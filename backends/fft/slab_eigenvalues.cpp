@@ -1,3 +1,4 @@
+// The eigenvalues of H for slabs.h: each process makes those of the waves that it has.
 #include <algorithm>
 #include <cstdint>
 #include <span>

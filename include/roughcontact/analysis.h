@@ -89,7 +89,8 @@ RC_API rc_status rc_crossing_find(const rc_system *system, rc_const_array p, rc_
 /** Electrical or thermal conductance of the contact between two half-spaces: 2 / (E* (rho1 + rho2)) dW/dd (Barber, Proc. R. Soc.
  *  Lond. A 459 (2003) 53). For a circular spot that is Holm's 4 radius / (rho1 + rho2). system: HALFSPACE, its modulus counts.
  *  result: of a step with option stiffness = 1 or 2, and with rc_result.homogeneous = 1: the relation holds for homogeneous
- *  half-spaces, not for a layer, where heat and elastic deflection spread differently. rho1, rho2 >= 0, not both 0:
+ *  half-spaces, not for a layer, where heat and elastic deflection spread differently. Points at the hardness conduct but add no
+ *  stiffness: with such points the value is too small, see rc_result.capped. rho1, rho2 >= 0, not both 0:
  *  resistivities of the bodies, or reciprocals of their thermal conductivities. Units: dW/dd / E* is a length, so ohm m give
  *  1/ohm, and m K/W give W/K. *conductance: infinite in full periodic contact, because nothing constricts the flow. *lower,
  *  *upper (NULL: not wanted): the exact conductance lies between them; NaN where the result proves no interval. Errors:

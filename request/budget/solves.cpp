@@ -109,7 +109,8 @@ Outcome Press::solve(const Pressing& problem, const char* what) {
   found[of::mean_pressure] = result_.mean_pressure;
   found[of::stiffness] = result_.stiffness;
   found[of::mean_gap] = result_.mean_gap;
-  found[of::conductance] = result_.homogeneous == 1 ? 2 * result_.stiffness / problem.system.modulus : std::nan("");
+  const bool yields = problem.system.hardness > 0 && std::isfinite(problem.system.hardness);  // and conducts without stiffness
+  found[of::conductance] = result_.homogeneous == 1 && !yields ? 2 * result_.stiffness / problem.system.modulus : std::nan("");
   found[of::further] = progress_.spec.value ? further(problem) : std::nan("");
   return found;
 }

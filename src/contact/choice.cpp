@@ -7,7 +7,7 @@
 
 #include "contact/operators.h"
 #include "contact/problem.h"
-#include "contact/surface/trial_box.h"
+#include "contact/trial_box.h"
 #include "core/error.h"
 #include "platform/memory.h"
 
@@ -21,13 +21,13 @@ constexpr double usual_products = 100;  // of a solver that does not say what it
 
 // The least points of a grid on which contact at few points is solved there alone. On smaller grids the estimate takes more time
 // than it saves.
-constexpr std::int64_t least_dilute_points = 512 * 512, least_dilute_of_period = 256 * 256;
+constexpr std::int64_t least_sparse_points = 512 * 512, least_sparse_of_period = 256 * 256;
 // The choice for sparse contact is made before the unknowns are known: it assumes at most this many.
 constexpr std::int64_t most_few = 1 << 24;
 // Contact on at most this share of the grid's points counts as sparse: products that cost by the contact are then cheaper.
-constexpr double few_share = 0.05;
-// If processes share products by rows, each repeats the work on all unknowns, so that fewer points count as few.
-constexpr double few_share_by_rows = 0.01;
+constexpr double sparse_share = 0.05;
+// If processes share products by rows, each repeats the work on all unknowns, so that fewer points count as sparse.
+constexpr double sparse_share_by_rows = 0.01;
 constexpr std::int64_t most_few_by_rows = 1 << 17;
 
 std::string in_full(double bytes) { return bytes < 9e18 ? join(static_cast<std::int64_t>(bytes)) : join(bytes); }
@@ -357,21 +357,21 @@ const rc_backend& certifying_backend(const std::string& name, const rc_options& 
 bool are_few(std::int64_t contacts, std::int64_t points, bool by_rows) {
   if (by_rows)
     return contacts > 0 && contacts <= most_few_by_rows &&
-           static_cast<double>(contacts) <= few_share_by_rows * static_cast<double>(points);
-  return contacts > 0 && static_cast<double>(contacts) <= few_share * static_cast<double>(points);
+           static_cast<double>(contacts) <= sparse_share_by_rows * static_cast<double>(points);
+  return contacts > 0 && static_cast<double>(contacts) <= sparse_share * static_cast<double>(points);
 }
 
 std::optional<Choice> choose_for_few(const GridProblem& problem, std::int32_t control) {
   const rc_options& options = problem.options;
   const System& system = problem.system;
   if (!system.halfspace() || (!system.periodic() && !system.positive) ||
-      system.points() < (system.periodic() ? least_dilute_of_period : least_dilute_points) ||
+      system.points() < (system.periodic() ? least_sparse_of_period : least_sparse_points) ||
       options.text(RC_OPT_SOLVER) != "auto" || options.text(RC_OPT_WARMUP) != "none" ||
       !options.text(RC_OPT_CERTIFY_BACKEND).empty() || options.text(RC_OPT_BACKEND).find(',') != std::string::npos)
     return std::nullopt;
   const StepFacts facts{
       .control = control,
-      .candidates = std::min(most_few, static_cast<std::int64_t>(few_share * static_cast<double>(system.points()))),
+      .candidates = std::min(most_few, static_cast<std::int64_t>(sparse_share * static_cast<double>(system.points()))),
       .box = system.points(),
       .tol = options.real(RC_OPT_TOL),
       .few = !system.periodic(),

@@ -27,8 +27,9 @@ std::string bounds_name(int32_t bounds) {
 // The width of the bounds, and why they hold.
 std::string proof_of(const rc_law_info& info) {
   const std::string width = "p within " + percent(info.width);
-  if (info.bounds == RC_LAW_CONVEX) return width + ", proven: convex between nodes";
-  if (info.bounds == RC_LAW_SLOPES) return width + ", by slopes between nodes: proven if the kernel is love";
+  const std::string nested = " between nodes, whose contact sets are nested: proven if the kernel is love";
+  if (info.bounds == RC_LAW_CONVEX) return width + ", convex" + nested;
+  if (info.bounds == RC_LAW_SLOPES) return width + ", by slopes" + nested;
   return width + " where it is proven; p only rises between some nodes";
 }
 

@@ -135,10 +135,17 @@ def as_mask(values: Optional[ArrayLike], name: str, shape: Optional[Shape] = Non
 
 def as_pitch(pitch: Pitch) -> Tuple[float, float]:
     """(hx, hy)"""
+    refuse_text("pitch", pitch)
     sides = np.atleast_1d(np.asarray(pitch, dtype=np.float64)).tolist()
     if len(sides) not in (1, 2):
         raise ShapeError(f"pitch has {len(sides)} values: one, or (hx, hy) with hx along the last axis")
     return float(sides[0]), float(sides[-1])
+
+
+def refuse_text(name: str, value: Any) -> None:
+    """Texts with units are words: functions that take numbers alone name the call that reads them."""
+    if isinstance(value, str):
+        raise ArgumentError(f"{name} is {value!r}: give a number; solve, law, prepare and budget read texts with units")
 
 
 def refuse_one_row(array: NDArray[Any], name: str, pitch: Any, axes: int = 1) -> None:

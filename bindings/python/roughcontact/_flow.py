@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from . import _constants
 from ._answers import Stored
-from ._arrays import Doubles, Pitch, as_doubles, as_pitch, columns_and_rows, given, refuse_one_row
+from ._arrays import Doubles, Pitch, as_doubles, as_pitch, columns_and_rows, given, refuse_one_row, refuse_text
 from ._brief import brief
 from ._c import S, members_for
 from ._calls import check, conclude, flow_calls, interruptible
@@ -108,6 +108,8 @@ def _spec(along: str, sides: Optional[str], **values: Any) -> rc_flow_spec:
     for name, value, known in (("along", along, ALONG), ("sides", sides, SIDES)):
         if value is not None and value not in known:
             raise ArgumentError(f"{name} is {value!r}: {' or '.join(map(repr, known))}")
+    for name, value in values.items():
+        refuse_text(name, value)
     return given(rc_flow_spec(), along=ALONG[along], sides=None if sides is None else SIDES[sides], **values)
 
 

@@ -21,7 +21,6 @@ constexpr double smaller = 0.9;         // of the smallest residual before
 
 constexpr double single_error = 2e-6;  // of a product in single precision, relative, at most
 constexpr double drift = 0.005;        // share of the tolerance that one such product may add to the residual
-constexpr double rounding = 1e-12;     // what those in double precision add in all, over |b|, at most
 
 constexpr double fallback_residual = 1e-10;  // where a form is not found as exactly as wanted
 
@@ -244,9 +243,9 @@ rc_status ContactSetSolve::form(std::span<const double> b, double tol, double me
   if (const rc_status status = rough_start(b, x, r); status != RC_OK || size == 0) return status;
   const bool single = (op_.capabilities() & RC_CAP_FLOAT) != 0;
   const auto tell = [&](double residual) {
-    bound.residual = residual + rounding * size;
+    bound.residual = residual + product_rounding * size;
     bound.form = dot(b, x) + dot(r, x);
-    bound.error = bound.residual * bound.residual / lowest_ + rounding * size * std::sqrt(dot(x, x));
+    bound.error = bound.residual * bound.residual / lowest_ + product_rounding * size * std::sqrt(dot(x, x));
     return bound.settles(tol, mean);
   };
   for (double before = std::numeric_limits<double>::infinity();;) {
@@ -295,9 +294,9 @@ rc_status ContactSetSolve::solve(std::span<const double> b, double tol, std::spa
   const auto enough = [&](int, double rr) {
     const double now = residual.next(rr, single);
     single = has_single && single_error * now <= drift * tol && drifted <= 10 * drift * tol;
-    bound.residual = size * (now + drifted + rounding);
-    if (now + drifted + rounding <= tol) return true;
-    return stalled = now < rounding || stalls(now);
+    bound.residual = size * (now + drifted + product_rounding);
+    if (now + drifted + product_rounding <= tol) return true;
+    return stalled = now < product_rounding || stalls(now);
   };
   const ConjugateGradientsEnd end = descend(x, r, z, size, single, enough);
   if (end.status != 0) return end.status;
@@ -305,7 +304,7 @@ rc_status ContactSetSolve::solve(std::span<const double> b, double tol, std::spa
     fail(RC_ERR_NUMERIC, "the operator is not positive definite: t'Ht = ", end.curvature, " on the contact set");
   // 2 b'x - x'A x = b'A^-1 b - e'A e, e the error of x; and e'A e = r'A^-1 r <= r'r / lowest.
   bound.form = dot(b, x) + dot(r, x);
-  bound.error = bound.residual * bound.residual / lowest_ + (drifted + rounding) * size * std::sqrt(dot(x, x));
+  bound.error = bound.residual * bound.residual / lowest_ + (drifted + product_rounding) * size * std::sqrt(dot(x, x));
   return stalled ? RC_STOP_STALLED : RC_OK;
 }
 

@@ -22,6 +22,10 @@ namespace rc {
 
 struct ConjugateGradientsEnd;
 
+// Allowance for the rounding of products in double precision, as a share of |b|: a solve adds it to its residual before a bound
+// of the stiffness is proven.
+inline constexpr double product_rounding = 1e-12;
+
 // Bounds on a solution x.
 struct ContactSetBound {
   double residual = 0;  // |b - A x| is at most that

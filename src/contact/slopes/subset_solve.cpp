@@ -14,8 +14,6 @@ namespace rc {
 
 namespace {
 
-constexpr double product_rounding = 1e-12;  // of a residual from a product in double precision, over |b|, at most
-
 // A bound from below of the eigenvalues of H[S,S] + zero_mode/n 11', m points in S. Where H is periodic, x'Hx >= wave |x -
 // mean|^2, and |x - mean|^2 >= (1 - m/n) |x|^2 because x is 0 at n - m points.
 double lowest_eigenvalue(const GridProblem& problem, double zero_mode, std::size_t m) {

@@ -5,7 +5,7 @@
 #include "contact/operators.h"
 #include "contact/proof/certificate.h"
 #include "contact/step/services.h"
-#include "contact/surface/trial_box.h"
+#include "contact/trial_box.h"
 
 namespace rc {
 

@@ -60,6 +60,8 @@ EXPORTS = [
     ("two_lines.csv", TWO + rows(","), Z * 1e-9, "right", {}, None),
     ("ten_lines.csv", TEN + rows(";"), Z * 1e-9, "right", {}, None),
     ("german.csv", "Breite: 8,0 µm\nHöhe: 6,0 µm\nEinheiten: nm\n" + rows(";", comma=True), Z * 1e-9, "right", {}, None),
+    ("one_line.csv", "Protokoll;7\nBreite: 8,0 µm; Höhe: 6,0 µm; Einheiten: nm\n" + rows(";", comma=True), Z * 1e-9, "right", {}, None),
+    ("step.csv", "Schrittweite: 0,5 µm\nEinheiten: nm\n" + rows(";", comma=True), Z * 1e-9, "right", {}, None),
     ("empty.csv", TWO + rows(",", EMPTY), None, "refused", {"missing": "fill"}, filled(EMPTY)),
     ("columns.csv", points(range(NX * NY)), Z * 1e-9, "right", {}, None),
     ("tilt.csv", TWO + rows(",", TILT), TILT * 1e-9, "remark", {"remove": "plane"}, None),

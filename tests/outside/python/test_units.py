@@ -81,3 +81,20 @@ def test_what_is_assumed_is_said(tmp_path, micrometres):
         rc.solve(micrometres, pitch=0.5, unit="um", against=tmp_path / "r.npy", load=1e-4, **PRESS)
         metres.save(tmp_path / "other.gsf")
         rc.solve(micrometres, pitch=0.5, unit="um", against=tmp_path / "other.gsf", load=1e-4, **PRESS)
+
+
+def test_numbers_alone_refuse_texts_with_units(micrometres):
+    """The message names the calls that read them."""
+    for name, call in (
+        ("pitch", lambda: rc.HalfSpace((24, 24), pitch="0.5um", modulus=1)),
+        ("viscosity", lambda: rc.flow(micrometres, pitch=0.5, viscosity="1mPas", pressure_drop=1)),
+    ):
+        refused(rc.ArgumentError, f"{name} is .*solve, law, prepare and budget read texts with units", call)
+
+
+def test_a_part_of_a_map_is_a_sample_as_the_map_is(tmp_path, micrometres):
+    """Unless the file says that the surface ends."""
+    file = tmp_path / "map.npy"
+    np.save(file, micrometres)
+    words = {"pitch": 0.5, "unit": "um", "modulus": 1e9, "pressure": 1e6, "crop": "1um"}
+    assert rc.solve(str(file), **words).grid.periodic == rc.solve(str(file), **words, boundary="periodic").grid.periodic

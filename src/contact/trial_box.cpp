@@ -1,4 +1,4 @@
-#include "contact/surface/trial_box.h"
+#include "contact/trial_box.h"
 
 #include <algorithm>
 
