@@ -35,7 +35,7 @@ MAY_BE_NULL = {
     'lower': 'rc_conductance rc_punch_stiffness', 'upper': 'rc_conductance rc_punch_stiffness',
     'path': 'rc_law_open', 'request': 'rc_request_remark_count', 'q': '', 'psd': '', 'modes': '',
     'spec': 'rc_surface_read rc_surface_read_memory', 'name': 'rc_surface_read_memory', 'out_mask': '',
-    'time': 'rc_contact_creep', 'spikes': '', 'largest': '', 'missing': '',
+    'plugin_path': 'rc_context_create', 'log_user': '', 'time': 'rc_contact_creep', 'spikes': '', 'largest': '', 'missing': '',
     'budget': 'rc_budget_quantity_count rc_budget_source_count',
 }
 MAY_NOT = 'rc_options_copy rc_contact_set_options rc_request_options'  # be without options

@@ -45,7 +45,7 @@ def main() -> int:
     constants, sizes, offsets, _ = __import__("golden").numbers(plugin=False)
     texts = {file.stem: file.read_text() for file in (source / "include" / "roughcontact").glob("*.h")}
     flow = ["flow"] if "roughcontact_flow.f90" in modules else []  # where it is built
-    headers, of_c = "".join(texts.values()), "".join(texts[name] for name in ("flow", "request") if name not in flow)
+    headers, of_c = "".join(texts.values()), "".join(texts[name] for name in ("flow", "request", "budget") if name not in flow)
     calls, bodies, structs = [], [], 0
     begun = ["#include <string.h>", *(f"#include <roughcontact/{name}.h>" for name in (*HEADERS, *flow))]
     for name, value in constants.items():

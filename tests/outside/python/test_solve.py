@@ -51,7 +51,7 @@ def test_accuracy_is_a_success_on_a_coarser_grid():
 def directly(system, gap, control, target, pressure):
     """rc_solve from the bare shared library: memory offsets by hand."""
     library = ctypes.CDLL(rc.library_file())
-    step, result = bytearray(104), bytearray(ctypes.sizeof(rc.raw.rc_result))
+    step, result = bytearray(ctypes.sizeof(rc.raw.rc_step)), bytearray(ctypes.sizeof(rc.raw.rc_result))
 
     def put(buffer, offset, kind, value):
         kind.from_buffer(buffer, offset).value = value
@@ -72,9 +72,9 @@ def directly(system, gap, control, target, pressure):
 def test_same_bits_as_the_c_function(control, name, target, boundary):
     surface = rc.surface.spectral((40, 56), pitch=PITCH, rms_height=2e-7, hurst=0.7)
     gap = surface.undeformed_gap()
-    system = bytearray(96)
+    system = bytearray(ctypes.sizeof(rc.raw.rc_system))
     for offset, kind, value in (
-        (0, ctypes.c_size_t, 96),
+        (0, ctypes.c_size_t, ctypes.sizeof(rc.raw.rc_system)),
         (8, ctypes.c_int32, 1),
         (12, ctypes.c_int32, 1 if boundary == "free" else 2),
         (16, ctypes.c_int64, 56),
