@@ -28,7 +28,7 @@ const char* rc_mpi_refuse(MPI_Comm comm) {
   return NULL;
 }
 
-/* Whether so many bytes for each rank fit int, and where they begin. */
+/* Writes the ranks' byte counts and offsets as int; 0 if one does not fit. */
 static int fits(int ranks, const int64_t* bytes, int* count, int* place) {
   int64_t all = 0;
   for (int r = 0; r < ranks; ++r) {

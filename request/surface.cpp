@@ -193,7 +193,7 @@ void move_cyclically(const Variation& variation, Map& other) {
           wrapped(iy - variation.cells_y, other.ny) * other.nx + wrapped(ix - variation.cells_x, other.nx))];
 }
 
-// What a budget changes of the roughness.
+// Changes the map as a source of a budget does: its heights' scale and its shortest waves.
 void vary(const Variation& variation, Map& map) {
   if (map.z && (variation.height != 1 || variation.cutoff > 0)) {
     std::vector<double>& z = map.writable();

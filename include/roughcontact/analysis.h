@@ -56,7 +56,7 @@ typedef struct rc_histogram {
 } rc_histogram;
 #define RC_HISTOGRAM_INIT RC_BEGIN(rc_histogram)
 
-/* What rc_crossing_find says of the contact and of the gap: their sum is both. */
+/* The axes that rc_crossing_find reports; X + Y: both axes.                        */
 enum { RC_CROSSES_NONE = 0, RC_CROSSES_X = 1, RC_CROSSES_Y = 2 };
 
 /** @defgroup analysis Analysis: area, patches, histogram, percolation

@@ -84,7 +84,7 @@ typedef struct rc_budget_quantity {
 } rc_budget_quantity;
 #define RC_BUDGET_QUANTITY_INIT RC_BEGIN(rc_budget_quantity)
 
-/** What one source adds to one quantity. */
+/** The contribution of one source to one quantity. */
 typedef struct rc_budget_contribution {
   size_t struct_size;
   const char *source;    /* "noise"                                                                                  */

@@ -71,7 +71,7 @@ RC_API rc_status rc_contact_indentation(rc_contact *contact, rc_array indentatio
 /** @} */
 
 /** @defgroup creep Creep  @{ */
-/** What the contact's certified steps have left in bodies that creep (rc_system.creep_terms, K): double [(K+1) n], first H p of
+/** The creep that the contact's certified steps have left in its bodies (rc_system.creep_terms, K): double [(K+1) n], first H p of
  *  the last one at once, then for each term of the series the deflection that H p has reached with its time, without its ratio
  *  [length]. After RC_CREEP_MODULI the terms are those of the compliance that belongs to them, by ascending times. *time: of that
  *  step, or NaN if there was none; may be NULL. Steps leave it if they leave a plastic indentation, see rc_contact_indentation.

@@ -61,7 +61,7 @@ def start_from_contact(problem, gap, least):
     """The walls of a GaPFlow problem begin as a dry contact leaves them, and deform from there by the fluid's pressure.
 
     gap [points along x, along y]: solved for the cells of the problem's grid, `result.gap.T`. least [length]: the film where walls
-    touch, since GaPFlow needs one everywhere. To be called before the run; input.yaml's geometry no longer counts."""
+    touch, since GaPFlow needs one everywhere. Call this before the run. It replaces the geometry of input.yaml."""
     grid, gap = problem.grid, np.asarray(gap)
     if gap.shape != (grid["Nx"], grid["Ny"]):
         raise ValueError(f"the gap has {gap.shape} points, the grid {grid['Nx'], grid['Ny']} cells; solve the contact on the grid")

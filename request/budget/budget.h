@@ -38,7 +38,7 @@ struct Named {
 // further: of rc_budget_spec.value.
 std::array<Named, of::count> quantity_names(bool si, const Named& further);
 
-// Of one quantity: its contributions by each source.
+// The combined uncertainty of one quantity from the contributions of all sources.
 Combined combine(std::size_t quantity, const Named& named, double value, const std::vector<Row>& rows, const Sources& sources);
 
 }  // namespace rc::request

@@ -1,4 +1,4 @@
-// What each source adds to each quantity, by solves of a changed problem.
+// The contribution of each source to each quantity, by solves of a changed problem.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -218,7 +218,7 @@ class Rows {
     return found;
   }
 
-  // What the solver leaves open: intervals that are proven for this grid.
+  // The solver's contribution: half of each interval that is proven for this grid.
   Row solver(const rc_result& r) const {
     const auto half = [](double lower, double upper) { return (upper - lower) / 2 * rectangular; };
     const double cells = r.contacts > 0 ? r.contact_area / r.area_fraction : 1, force = half(r.load_lower, r.load_upper);
@@ -229,7 +229,8 @@ class Rows {
     found[of::mean_pressure].standard = found[of::load].standard / cells;
     found[of::area].standard = half(r.area_lower, r.area_upper) / cells;
     found[of::stiffness].standard = half(r.stiffness_lower, r.stiffness_upper);
-    found[of::conductance].standard = 2 * found[of::stiffness].standard / problem_.system.modulus;
+    const double per_stiffness = std::isnan(value_[of::conductance]) ? nan : 2 / problem_.system.modulus;
+    found[of::conductance].standard = per_stiffness * found[of::stiffness].standard;
     found[of::mean_gap].standard = r.gap_error * rectangular;
     found[of::further].standard = further_half_ * rectangular;
     return found;

@@ -35,8 +35,8 @@ struct Pressing {
 Pressing pressing(const rc_request& request, bool of_gap);
 
 using Options = std::unique_ptr<rc_options, decltype(&rc_options_destroy)>;
-// Those of the caller and those that the words set, with stiffness 2 and bounds if they are proven, else stiffness 1 and no
-// bounds.
+// The options of the caller and of the words. proven: intervals are computed (stiffness 2, bounds 1); else only values
+// (stiffness 1, bounds 0).
 Options options_of(const rc_budget_spec& spec, rc_context* context, const rc_request& request, bool proven);
 
 // Thrown if a solve was stopped.

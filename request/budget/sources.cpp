@@ -32,7 +32,7 @@ Setting setting_of(std::string_view text) {
   return {trimmed(text.substr(0, equals)), trimmed(text.substr(std::min(equals + 1, text.size())))};
 }
 
-// What the text of a source means, in the units of the request.
+// Reads the text of a source in the units of the request.
 class Reader {
  public:
   Reader(const Words& words, const rc_request& base) : words_(words), base_(base) {}

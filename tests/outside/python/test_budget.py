@@ -179,6 +179,8 @@ def test_a_hardness_a_shape_and_a_gap():
     hard = rc.budget(surface(1), "hardness=10%,noise=1nm,samples=8", hardness="2GPa", pressure="1GPa", **STEEL)
     ends = [rc.solve(surface(1), hardness=f * 2e9, pressure="1GPa", **STEEL).area_fraction for f in (0.9, 1.1)]
     assert hard["area"]["hardness"].standard == pytest.approx(abs(ends[1] - ends[0]) / 2)
+    conductance = hard["conductance"]  # 2 stiffness / E* is too small where points at the hardness conduct
+    assert np.isnan(conductance.value) and conductance.standard == 0 and conductance.sentence == "conductance is not known"
     ball = rc.budget(surface(1), "height=1%,E=1%", shape="sphere:R=1mm", load="1N", E="210GPa", nu=0.3, unit="m")
     assert ball["load"].standard < 1e-8 and ball["approach"]["height"].standard > 0
     rough = surface(1)
