@@ -1,125 +1,13 @@
 // Bodies that creep. Each step is certified by matrices and a recursion of this test's own.
-#include <roughcontact/derivatives.h>
-#include <roughcontact/history.h>
-#include <roughcontact/law.h>
-
-#include <algorithm>
-#include <cmath>
 #include <functional>
-#include <limits>
-#include <numbers>
+#include <string>
+#include <utility>
 
-#include "support/naive.h"
-#include "support/surfaces.h"
+#include "creep.h"
 
 namespace pairs {
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-struct Table {
-  Field ratio, time;
-  std::int32_t by = RC_CREEP_COMPLIANCES;
-
-  void give(rc_system& system) const {
-    system.creep_by = by;
-    system.creep_terms = static_cast<std::int32_t>(ratio.size());
-    system.creep_ratio = RC_IN(ratio.data());
-    system.creep_time = RC_IN(time.data());
-  }
-  double compliance(double t) const {
-    double sum = 1;
-    for (std::size_t k = 0; k < ratio.size(); ++k) sum += ratio[k] * (1 - std::exp(-t / time[k]));
-    return sum;
-  }
-};
-
-const Table one{{3}, {1}};
-const Table two{{0.7, 2}, {0.3, 5}};
-
-struct Step {
-  double time, target;
-};
-
-// The memory of creep once more: H p and the delayed deflections, from a full matrix.
-class Recursion {
- public:
-  Recursion(const Problem& elastic, const Table& table)
-      : elastic_(elastic), table_(table), matrix_(influence_matrix(elastic)), w_(elastic.points(), 0.0) {
-    v_.assign(table.ratio.size(), w_);
-  }
-
-  // The elastic problem of the step: its modulus and its undeformed gap.
-  Problem problem(const Step& step) const {
-    Problem now = elastic_;
-    double compliance = 1;
-    for (std::size_t k = 0; k < v_.size(); ++k) {
-      const auto [kept, before, part] = shares(step.time, k);
-      compliance += table_.ratio[k] * part;
-      for (std::size_t i = 0; i < w_.size(); ++i) now.gap[i] += table_.ratio[k] * (kept * v_[k][i] + before * w_[i]);
-    }
-    now.system.modulus /= compliance;
-    now.target = step.target;
-    return now;
-  }
-  void end(const Step& step, const Field& p) {
-    const Field w = product(matrix_, p);
-    for (std::size_t k = 0; k < v_.size(); ++k) {
-      const auto [kept, before, part] = shares(step.time, k);
-      for (std::size_t i = 0; i < w.size(); ++i) v_[k][i] = kept * v_[k][i] + before * w_[i] + part * w[i];
-    }
-    w_ = w;
-    time_ = step.time;
-  }
-  const Field& elastic_deflection() const { return w_; }
-  const std::vector<Field>& delayed() const { return v_; }
-
- private:
-  struct Shares {
-    double kept, before, now;
-  };
-  Shares shares(double time, std::size_t k) const {
-    const double x = std::isnan(time_) ? 0 : (time - time_) / table_.time[k];
-    if (x == 0) return {1, 0, 0};
-    const double now = 1 - (1 - std::exp(-x)) / x;
-    return {std::exp(-x), 1 - std::exp(-x) - now, now};
-  }
-
-  const Problem elastic_;
-  const Table table_;
-  const Field matrix_;
-  Field w_;
-  std::vector<Field> v_;
-  double time_ = nan;
-};
-
-rc_step at(const Problem& problem, const Step& step) {
-  rc_step asked = problem.step();
-  asked.target = step.target;
-  asked.time = step.time;
-  return asked;
-}
-
-Problem creeping(Problem problem, const Table& table) {
-  table.give(problem.system);
-  return problem;
-}
-
-const Settings sharp = {{RC_OPT_TOL, "1e-11"}};
-
-// Times of all sizes, pauses and jumps: an approach or load that rises, falls and rests.
-std::vector<Step> path(double target) {
-  return {{1, 0.6 * target}, {1, target},         {1.001, target}, {1.3, target},       {2, 0.8 * target},
-          {2, 0.5 * target}, {2.5, 0.7 * target}, {9, target},     {500, 1.1 * target}, {500, 0.3 * target}};
-}
-
-Field creep_of(const Contact& contact, std::size_t values, double* time = nullptr) {
-  Field said(values, -7);
-  check(rc_contact_creep(contact.handle(), RC_OUT(said.data()), time) == RC_OK, rc_last_error());
-  return said;
-}
 
 void steps_are_certified(std::int32_t boundary, std::int32_t control, const Pair& pair, bool masked) {
   Problem problem = rough_problem(18, 14, boundary, 0.5, 0.75);
@@ -291,17 +179,6 @@ void unloading_is_tings() {
   }
 }
 
-rc_state state_of(const Problem& problem, const Answer& answer, const Field& creep, double time) {
-  rc_state state = RC_STATE_INIT;
-  state.undeformed_gap = RC_IN(problem.gap.data());
-  state.p = RC_IN(answer.p.data());
-  state.approach = answer.result.approach;
-  state.load = answer.result.load;
-  state.creep = RC_IN(creep.data());
-  state.time = time;
-  return state;
-}
-
 void a_restart_gives_the_same_bits(std::int32_t control, double hardness) {
   Problem problem = rough_problem(40, 36, RC_BOUNDARY_FREE);
   if (control == RC_CONTROL_LOAD) problem = at_load(problem, solved(problem, automatic).result.load);
@@ -371,17 +248,6 @@ void hardness_and_creep_add_up() {
     own.end(step, answer.p);
   }
   check(capped > 10, "some points yield");
-}
-
-rc_history history_of(const Problem& problem, const Field& targets, const Field& times, Field& loads) {
-  rc_history history = RC_HISTORY_INIT;
-  history.control = problem.control;
-  history.n = static_cast<std::int64_t>(targets.size());
-  history.targets = RC_IN(targets.data());
-  history.times = RC_IN(times.data());
-  history.undeformed_gap = RC_IN(problem.gap.data());
-  history.columns.load = RC_OUT(loads.data());
-  return history;
 }
 
 // Histories and batches are the same steps, whatever the control.
@@ -508,75 +374,6 @@ void levels_have_the_approach_of_the_step() {
     check(rc_contact_level(contact.handle(), 0, &level) == RC_OK, rc_last_error());
     check_near(level.approach, problem.target, 1e-12 * problem.target, "approach of a coarse solution");
   }
-}
-
-void bad_tables_are_refused() {
-  const auto refused = [](const Table& table, const char* named) {
-    const Problem problem = creeping(rough_problem(8, 8), table);
-    rc_contact* contact = nullptr;
-    check(rc_contact_create(&problem.system, nullptr, &contact) == RC_ERR_ARGUMENT && !contact, named);
-    check(std::string(rc_last_error()).find(named) != std::string::npos, rc_last_error());
-  };
-  refused({{-1}, {1}}, "creep_ratio[0] = -1");
-  refused({{1, nan}, {1, 1}}, "creep_ratio[1]");
-  refused({{1}, {0}}, "creep_time[0] = 0");
-  refused({{1, 1}, {1, -2}}, "creep_time[1] = -2");
-  refused({{1}, {HUGE_VAL}}, "creep_time[0]");
-  refused({{0.5, 0.5}, {1, 2}, RC_CREEP_MODULI}, "relax to 0");
-  refused({{1}, {1}, 2}, "creep_by = 2");
-  Problem problem = creeping(rough_problem(8, 8), one);
-  rc_contact* contact = nullptr;
-  problem.system.creep_terms = -1;
-  check(rc_contact_create(&problem.system, nullptr, &contact) == RC_ERR_ARGUMENT, "a negative number of terms");
-  problem.system.creep_terms = 1001;
-  check(rc_contact_create(&problem.system, nullptr, &contact) == RC_ERR_ARGUMENT, "more terms than there may be");
-  problem.system.creep_terms = 1;
-  problem.system.creep_time.data = nullptr;
-  check(rc_contact_create(&problem.system, nullptr, &contact) == RC_ERR_ARGUMENT, "no times");
-}
-
-void bad_calls_are_refused() {
-  const Problem elastic = rough_problem(12, 10), problem = creeping(elastic, one);
-  const Contact contact(problem, automatic), without(elastic, automatic);
-  const auto refused = [](rc_status status, rc_status expected, const char* named) {
-    check_equal(status, expected, named);
-    check(std::string(rc_last_error()).find(named) != std::string::npos, rc_last_error());
-  };
-  Field targets(2, problem.target), loads(2, -7);
-  Field back{2, 1}, endless{1, HUGE_VAL};
-  rc_history history = history_of(problem, targets, back, loads);
-  refused(rc_contact_solve_history(contact.handle(), &history), RC_ERR_ARGUMENT, "rc_history.times[1] = 1");
-  history.times = RC_IN(endless.data());
-  refused(rc_contact_solve_history(contact.handle(), &history), RC_ERR_ARGUMENT, "rc_history.times[1]");
-  history.times = {};
-  refused(rc_contact_solve_history(contact.handle(), &history), RC_ERR_ARGUMENT, "rc_history.times is null");
-  check_same(loads, Field(2, -7), "nothing is written");
-
-  const Answer answer = contact.solve(at(problem, {1, problem.target}));
-  const Field creep = creep_of(contact, 2 * problem.points());
-  rc_state state = state_of(problem, answer, creep, 1);
-  refused(rc_contact_restore(without.handle(), &state), RC_ERR_ARGUMENT, "rc_state.creep is given");
-  state.creep = {};
-  refused(rc_contact_restore(contact.handle(), &state), RC_ERR_ARGUMENT, "rc_state.creep is null");
-  Field spoiled = creep;
-  spoiled[7] = nan;
-  state = state_of(problem, answer, spoiled, 1);
-  refused(rc_contact_restore(contact.handle(), &state), RC_ERR_ARGUMENT, "rc_state.creep[7]");
-  state = state_of(problem, answer, creep, HUGE_VAL);
-  refused(rc_contact_restore(contact.handle(), &state), RC_ERR_ARGUMENT, "rc_state.time");
-  check_same(creep_of(contact, 2 * problem.points()), creep, "after refused restores");
-  Field out(problem.points());
-  refused(rc_contact_creep(without.handle(), RC_OUT(out.data()), nullptr), RC_ERR_ARGUMENT, "do not creep");
-  refused(rc_contact_creep(contact.handle(), RC_OUT(nullptr), nullptr), RC_ERR_ARGUMENT, "creep is null");
-
-  rc_gradient gradient = RC_GRADIENT_INIT;
-  refused(rc_contact_gradient(contact.handle(), &gradient), RC_ERR_INCOMPATIBLE, "rc_system.creep_terms");
-  rc_tangent tangent = RC_TANGENT_INIT;
-  refused(rc_contact_tangent(contact.handle(), &tangent), RC_ERR_INCOMPATIBLE, "rc_system.creep_terms");
-  rc_law* law = nullptr;
-  rc_law_spec spec = RC_LAW_SPEC_INIT;
-  spec.undeformed_gap = RC_IN(problem.gap.data());
-  refused(rc_law_create(&problem.system, nullptr, &spec, &law), RC_ERR_INCOMPATIBLE, "rc_system.creep_terms");
 }
 
 std::vector<Test> tests() {
