@@ -72,18 +72,6 @@ def test_derivatives_agree_with_samples(kind, correlation):
         assert found["approach"]["noise"].sampled == pytest.approx(found["approach"]["noise"].first_order, rel=0.15)
 
 
-@pytest.mark.parametrize("seed", range(10, 20))
-def test_derivatives_agree_with_samples_on_ten_surfaces(seed):
-    found = rc.budget(surface(seed), "noise=0.3nm,samples=400", pressure="1GPa", **STEEL)
-    for name in ("mean_gap", "approach"):
-        assert found[name]["noise"].sampled == pytest.approx(found[name]["noise"].first_order, rel=0.15)
-    if seed > 12:
-        return
-    fixed = rc.budget(surface(seed), "noise=0.3nm,samples=400", approach=f"{found['approach'].value}", **STEEL)
-    assert fixed["load"]["noise"].sampled == pytest.approx(fixed["load"]["noise"].first_order, rel=0.15)
-    assert np.isnan(found["area"]["noise"].first_order) and found["area"]["noise"].sampled > 0
-
-
 def test_noise_is_the_spread_of_noisy_maps_and_their_shift():
     rough, noise, random = KINDS["smooth"](), 20e-9, np.random.default_rng(5)
     found = rc.budget(rough, {"noise": noise, "samples": 100}, pressure="1GPa", **STEEL)["area"]
@@ -112,18 +100,6 @@ def test_registration_is_the_spread_of_shifted_maps():
     assert found.coverage > 1.99 and found["shift"].shift == 0 and found.dominant == "shift"
     still = rc.budget(one, "shift=0.2um,samples=4", against=other, pressure="0.3GPa", **STEEL)["stiffness"]
     assert still["shift"].standard == 0  # less than half a cell
-
-
-def test_a_joint_of_two_maps_is_known_to_a_fifth():
-    """4.95 +- .98 MN/m by registration, .17 by noise: a proven stiffness of few contacts says little of the joint."""
-    spec = {"rms_slope": 0.1, "q_rolloff": 2 * np.pi / 30e-6}
-    lower = rc.surface.spectral((64, 64), pitch=1e-6, seed=1, **spec)
-    upper = rc.surface.spectral((96, 96), pitch=0.8e-6, seed=2, **spec)
-    words = {"mirror": "x", "resample": "cubic", "E2": "200GPa", "nu2": 0.3, **STEEL, "E": "200GPa"}
-    found = rc.budget(lower, "shift=32um,noise=20nm,samples=40", against=upper, pressure="160MPa", **words)["stiffness"]
-    assert found.value == pytest.approx(4.95e6, rel=0.01) and found["solver"].standard < 1e-5 * found.value
-    assert found["shift"].standard == pytest.approx(0.98e6, rel=0.3) and 0.1e6 < found["noise"].standard < 0.25e6
-    assert (found.dominant, found["shift"].share > 0.8) == ("shift", True)
 
 
 def test_other_preparations_are_half_widths():

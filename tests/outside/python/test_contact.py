@@ -5,18 +5,9 @@ import weakref
 
 import numpy as np
 import pytest
-from conftest import PITCH, refused
+from conftest import refused
 
 import roughcontact as rc
-
-
-def test_warm_start_saves_iterations(rough):
-    with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9), options={"solver": "polonsky-keer"}) as contact:
-        cold = contact.solve(rough, load=1e-3)
-        warm = contact.solve(load=1.001e-3)
-        again = contact.solve(load=1.001e-3, warm_start=False)
-    assert warm.iterations < cold.iterations <= again.iterations + 2
-    assert warm.load == pytest.approx(again.load, rel=1e-7)
 
 
 def test_surface_stays_until_another_comes(rough):
@@ -30,13 +21,6 @@ def test_surface_stays_until_another_comes(rough):
         contact.reset()
         refused(rc.ArgumentError, "gap", contact.solve, approach=5e-8)
     assert first.contacts < second.contacts
-
-
-def test_explicit_start(rough):
-    half_space = rc.HalfSpace.under(rough, modulus=1e9)
-    solution = rc.solve(rough, system=half_space, approach=1e-7, options={"solver": "gp"})
-    again = rc.solve(rough, system=half_space, approach=1e-7, options={"solver": "gp"}, start=solution.pressure)
-    assert again.iterations < solution.iterations / 2
 
 
 def test_borrowed_arrays_live_as_long_as_they_are_used(rough):
@@ -81,16 +65,6 @@ def test_the_choice_is_explained(rough):
         counts, taken, *left = contact.explain().splitlines()
     assert "points may carry pressure" in counts
     assert taken.startswith(f"{answer.solver} on {answer.backend}: ") and taken.endswith(", taken") and left
-
-
-def test_levels_of_the_cascade(sphere_gap, half_space):
-    with rc.Contact(half_space, options={"solver": "cmr", "cmr.levels": 3}) as contact:
-        answer = contact.solve(undeformed_gap=sphere_gap, approach=3e-7)
-        levels = contact.levels()
-    assert answer.levels == len(levels) == 2
-    assert [level.pressure.shape for level in levels] == [(16, 16), (32, 32)]
-    assert all(level.load == pytest.approx(answer.load, rel=0.2) for level in levels)
-    assert levels[1].pitch == (2 * PITCH, 2 * PITCH)
 
 
 def test_options_can_change(sphere_gap, half_space):
@@ -149,13 +123,6 @@ def test_a_callback_cannot_use_the_contact_that_calls_it(rough):
     with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9), options={"solver": "gp"}, progress=progress) as contact:
         contact.solve(rough, approach=1e-7, check=False)
     assert caught == [rc.Status.ERR_BUSY] * 3
-
-
-def test_cancel_reaches_the_next_step(rough):
-    with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9)) as contact:
-        contact.cancel()
-        assert contact.solve(rough, approach=1e-7, check=False).status == rc.Status.STOP_CANCELLED
-        assert contact.solve(rough, approach=1e-7).certified
 
 
 def test_own_matrix_in_every_layout(small_matrix):
@@ -237,17 +204,6 @@ def test_a_refused_step_keeps_the_mask(rough):
         refused(rc.ArgumentError, "", contact.solve, rough, approach=np.nan)
         refused(rc.InfeasibleError, "", contact.history, rough, approach=[1.0, 2.0])
         assert np.array_equal(contact.solve(approach=5e-8).grid.mask, mask)
-
-
-def test_contacts_that_share_a_product_fail_apart(small_matrix):
-    fail = []
-    product = rc.Product(lambda x: 1 / 0 if fail else small_matrix @ x, 12, pitch=1)
-    gap = np.linspace(0, 2, 12)
-    with rc.Contact(product) as first, rc.Contact(product) as second:
-        fail.append(True)
-        refused(ZeroDivisionError, "", first.solve, undeformed_gap=gap, approach=1.5)
-        fail.clear()
-        assert second.solve(undeformed_gap=gap, approach=1.5).certified and first.solve(approach=1.5).certified
 
 
 def test_restored_contact_goes_on_with_the_same_bits(rough):

@@ -29,14 +29,6 @@ def test_stops_are_exceptions_or_answers(small_matrix):
     refused(rc.ShapeError, "u has shape", direct.nnls, small_matrix, u[:5])
 
 
-def test_cascade(sphere_gap):
-    whole = rc.solve(undeformed_gap=sphere_gap - sphere_gap.min(), pitch=1e-6, modulus=1e11, boundary="free", approach=3e-7)
-    found = direct.cmr(-sphere_gap, pitch=1e-6, modulus=1e11, approach=3e-7, levels=3)
-    assert found.load == pytest.approx(whole.load, rel=1e-6) and found.p.shape == (64, 64) and found.w is None
-    assert direct.cmr(-sphere_gap, pitch=1e-6, modulus=1e11, approach=3e-7, levels=3, inner="nnls").status == rc.Status.OK
-    refused(rc.NoSolverError, "", direct.cmr, -sphere_gap, pitch=1e-6, modulus=1e11, approach=3e-7, levels=3, inner="nonesuch")
-
-
 def test_defaults_are_the_options(small_matrix, sphere_gap):
     u = 1.5 - np.linspace(0, 2, 12)
     options = rc.effective_options()

@@ -8,44 +8,23 @@ import roughcontact as rc
 from roughcontact._errors import error_for
 
 CASES = {
-    "argument": (rc.ArgumentError, rc.Status.ERR_ARGUMENT, "modulus", {"modulus": -1.0}),
-    "not finite": (rc.ArgumentError, rc.Status.ERR_ARGUMENT, "not finite", {"approach": np.inf}),
-    "shape": (rc.ShapeError, rc.Status.ERR_SHAPE, "gap have 3 x 3 points", {"undeformed_gap": np.zeros((3, 3))}),
-    "option": (rc.OptionError, rc.Status.ERR_OPTION, 'did you mean "tol"', {"options": {"tool": 1e-6}}),
-    "option's range": (rc.OptionError, rc.Status.ERR_OPTION, "0.1", {"options": {"tol": 1.0}}),
-    "option's type": (rc.OptionError, rc.Status.ERR_OPTION, "max_iter", {"options": {"max_iter": 1.5}}),
-    "backend": (rc.NoBackendError, rc.Status.ERR_NO_BACKEND, "nonesuch", {"options": {"backend": "nonesuch"}}),
-    "solver": (rc.NoSolverError, rc.Status.ERR_NO_SOLVER, "nonesuch", {"options": {"solver": "nonesuch"}}),
-    "incompatible": (rc.IncompatibleError, rc.Status.ERR_INCOMPATIBLE, "kernel", {"options": {"kernel": "spectral"}}),
-    "infeasible": (rc.InfeasibleError, rc.Status.ERR_INFEASIBLE, "load", {"approach": None, "load": -1.0}),
-    "stopped": (
-        rc.NotCertifiedError,
-        rc.Status.STOP_MAX_ITER,
-        "after 2 iterations",
-        {"options": {"max_iter": 2, "solver": "gp"}},
-    ),
-    "time": (rc.NotCertifiedError, rc.Status.STOP_TIME, "time_limit", {"options": {"time_limit": 1e-9, "solver": "gp"}}),
+    "argument": (rc.ArgumentError, "modulus", {"modulus": -1.0}),
+    "shape": (rc.ShapeError, "gap have 3 x 3 points", {"undeformed_gap": np.zeros((3, 3))}),
+    "option": (rc.OptionError, 'did you mean "tol"', {"options": {"tool": 1e-6}}),
+    "backend": (rc.NoBackendError, "nonesuch", {"options": {"backend": "nonesuch"}}),
+    "solver": (rc.NoSolverError, "nonesuch", {"options": {"solver": "nonesuch"}}),
+    "incompatible": (rc.IncompatibleError, "kernel", {"options": {"kernel": "spectral"}}),
+    "infeasible": (rc.InfeasibleError, "load", {"approach": None, "load": -1.0}),
+    "stopped": (rc.NotCertifiedError, "after 2 iterations", {"options": {"max_iter": 2, "solver": "gp"}}),
 }
 
 
 @pytest.mark.parametrize("case", CASES)
 def test_statuses_are_exceptions(case, sphere_gap, half_space):
-    kind, status, words, change = CASES[case]
-    arguments = {"undeformed_gap": sphere_gap, "approach": 3e-7, **change}
-    if "modulus" not in change:
-        arguments["system"] = half_space
-    else:
-        arguments["pitch"] = PITCH
-    caught = refused(kind, words, rc.solve, **arguments)
-    assert type(caught) is kind and caught.status == status
-    assert isinstance(caught, rc.RoughContactError)
-    assert (caught.result is not None) == (status > 0)
-
-
-def test_a_product_that_is_not_positive_is_an_arithmetic_error():
-    with pytest.raises(rc.NumericError) as caught:
-        rc.solve(undeformed_gap=np.zeros(8), approach=1.0, system=rc.Product(lambda x: -x, 8, pitch=1))
-    assert isinstance(caught.value, ArithmeticError)
+    kind, words, change = CASES[case]
+    where = {"pitch": PITCH} if "modulus" in change else {"system": half_space}
+    caught = refused(kind, words, rc.solve, **{"undeformed_gap": sphere_gap, "approach": 3e-7, **where, **change})
+    assert type(caught) is kind and (caught.result is not None) == (kind is rc.NotCertifiedError)
 
 
 def test_plugin_that_is_refused(tmp_path, sphere_gap, half_space):
@@ -87,14 +66,6 @@ def test_stopped_answers_can_be_looked_at(sphere_gap, half_space):
     assert result.load == pytest.approx(4 / 3 * MODULUS * np.sqrt(1e-3) * 3e-7**1.5, rel=0.5)
     caught = refused(rc.NotCertifiedError, "", rc.solve, **how)
     assert np.array_equal(caught.result.pressure, result.pressure)
-
-
-def test_failures_leave_the_contact_as_it_was(sphere_gap, half_space):
-    with rc.Contact(half_space) as contact:
-        first = contact.solve(undeformed_gap=sphere_gap, approach=3e-7)
-        for _ in range(3):
-            refused(rc.ArgumentError, "", contact.solve, approach=float("nan"))
-        assert np.array_equal(contact.solve(approach=3e-7, warm_start=False).pressure, first.pressure)
 
 
 @pytest.mark.parametrize("value", [None, [1], 1j])

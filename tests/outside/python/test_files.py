@@ -3,7 +3,6 @@
 import importlib.util
 import io
 import pathlib
-import struct
 import sys
 import types
 
@@ -21,14 +20,6 @@ def map_file(tmp_path):
     path = tmp_path / "map.txt"
     path.write_text(TEXT)
     return path
-
-
-def gsf(heights, hx, hy):
-    ny, nx = heights.shape
-    header = (
-        f"Gwyddion Simple Field 1.0\nXRes = {nx}\nYRes = {ny}\nXReal = {hx * nx}\nYReal = {hy * ny}\nXYUnits = m\nZUnits = m\n"
-    )
-    return header.encode() + b"\0" * (4 - len(header) % 4) + struct.pack(f"<{nx * ny}f", *heights.ravel())
 
 
 def test_a_path(map_file):
@@ -139,16 +130,6 @@ def test_a_file_that_says_that_its_surface_repeats(tmp_path):
         path.write_bytes(writers.contact_engineering(heights, 1e-6, 1e-6, periodic=periodic))
         assert rc.read(path).periodic is bool(periodic)
         assert rc.read(path.read_bytes()).periodic is bool(periodic)
-
-
-def test_a_surface_of_gwyddion_repeats_only_if_the_file_says_so(tmp_path):
-    plain = gsf(np.arange(12.0).reshape(3, 4), 1e-6, 1e-6)
-    for line, known in (("", None), ("Periodic = 0\n", False), ("Periodic = 1\n", True)):
-        text = plain[: plain.index(b"\0")] + line.encode()
-        padded = text + b"\0" * (4 - len(text) % 4) + plain[-48:]
-        assert rc.read(padded).periodic is known
-    assert rc.read(b"1 2\n3 4\n", format="text", pitch=1).periodic is None
-    refused(rc.ArgumentError, 'Periodic "yes" is neither 0 nor 1', rc.read, padded.replace(b"= 1\n\0\0\0", b"= yes\n\0"))
 
 
 def test_files_of_other_instruments_with_a_suffix_of_ours_are_handed_over(tmp_path, monkeypatch):

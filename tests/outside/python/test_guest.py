@@ -2,7 +2,7 @@
 program during each of them.
 
 Each runs in a Python of its own, because a fault would end it. Calls that see progress are ended in the middle, the others soon
-after their start; what is left after two seconds is a fault.
+after their start; what is left after 15 seconds is a fault.
 """
 
 import os
@@ -96,7 +96,7 @@ def ended(*kinds):
         call()
     except kinds as error:
         late = time.monotonic() - at[0]
-        assert at[0] and late < 2, f"ended {late:.2f} s late"
+        assert at[0] and late < 15, f"ended {late:.2f} s late"  # of 30 s and more
         return error
     raise AssertionError("it ran to its end")
 
@@ -120,18 +120,10 @@ signal.signal(signal.SIGALRM, raising)
 begin(lambda: os.kill(os.getpid(), signal.SIGALRM))
 ended(Mine)
 
-heard = []
-signal.signal(signal.SIGUSR1, lambda *_: heard.append(time.monotonic()))
-
-
-def then():
-    os.kill(os.getpid(), signal.SIGUSR1)
-    threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGALRM)).start()
-
-
-begin(then)
+# A handler that raises nothing runs during the call: this one sends the signal that ends it.
+signal.signal(signal.SIGUSR1, lambda *_: os.kill(os.getpid(), signal.SIGALRM))
+begin(lambda: os.kill(os.getpid(), signal.SIGUSR1))
 ended(Mine)
-assert heard and heard[0] - at[0] < 0.3, "the handler ran late"
 print("sound", flush=True)
 """,
     "its end": """
@@ -141,7 +133,7 @@ begin(begun.set)
 threading.Thread(target=call, daemon=True).start()
 assert begun.wait(20)
 os.kill(os.getpid(), signal.SIGUSR1)
-assert signal.sigtimedwait({signal.SIGUSR1}, 2) is not None
+assert signal.sigtimedwait({signal.SIGUSR1}, 15) is not None
 print("sound", flush=True)
 """,
     "one thread": """

@@ -8,35 +8,11 @@ from conftest import refused
 
 import roughcontact as rc
 
-FORMS = {
-    "Fortran order": np.asfortranarray,
-    "single": lambda z: z.astype(np.float32),
-    "half, big endian": lambda z: z.astype(">f2"),
-    "whole numbers": lambda z: z.astype(np.int16),
-    "turned round": lambda z: z[::-1, ::-1].copy()[::-1, ::-1],
-    "every third value": lambda z: np.repeat(z, 3, axis=1)[:, ::3],
-    "nested lists": lambda z: z.tolist(),
-    "objects": lambda z: z.astype(object),
-    "masked without missing points": np.ma.array,
-    "masked in Fortran order": lambda z: np.ma.array(np.asfortranarray(z), mask=False),
-}
-
 
 @pytest.fixture
 def whole():
     """[7, 9] heights in whole numbers, exact in every type."""
     return np.random.default_rng(3).integers(-90, 90, (7, 9)).astype(float)
-
-
-@pytest.mark.parametrize("form", FORMS)
-def test_heights_of_every_form_are_the_same_surface(form, whole):
-    surface, plain = rc.Surface(FORMS[form](whole), 1.0), rc.Surface(whole.copy(), (1.0, 1.0))
-    assert surface.pitch == (1.0, 1.0) and surface.heights.dtype == np.float64 and surface.heights.flags.c_contiguous
-    for each in ("mean", "plane", "quadric"):
-        assert np.array_equal(surface.without(each).heights, plain.without(each).heights)
-    assert np.array_equal(surface.filled().heights, whole) and np.array_equal(surface.undeformed_gap(), plain.undeformed_gap())
-    assert rc.surface.analyze(surface) == rc.surface.analyze(plain)
-    assert rc.solve(surface, modulus=1.0, load=1.0).approach == rc.solve(plain, modulus=1.0, load=1.0).approach
 
 
 def test_masked_heights_are_missing_points(whole):

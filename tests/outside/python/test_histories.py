@@ -39,14 +39,6 @@ def test_each_step_tells_its_points(rough):
         assert np.array_equal(contact.points()[0], seen[-1][0])
 
 
-def test_each_step_is_seen(rough):
-    seen = []
-    history = rc.history(rough, modulus=1e9, approach=[2e-8, 4e-8], each=lambda k, result: seen.append((k, result)))
-    assert [k for k, _ in seen] == [0, 1]
-    assert [result.load for _, result in seen] == list(history.load)
-    assert seen[0][1].pressure.sum() < seen[1][1].pressure.sum() and seen[0][1].gap.shape == rough.shape  # copies: they last
-
-
 def test_path_ends_early(rough):
     how = {"modulus": 1e9, "approach": [2e-8, 4e-8, 6e-8]}
     caught = refused(rc.NotCertifiedError, "", rc.history, rough, **how, each=lambda k, result: k == 1)
@@ -122,11 +114,3 @@ def test_batch_shows_every_step():
         rc.batch(surfaces(4), modulus=1e9, load=1e-3, each=lambda i, k, r: (_ for _ in ()).throw(RuntimeError("mine")))
     stopped = rc.batch(surfaces(4), modulus=1e9, load=1e-3, each=lambda i, k, r: i == 1, check=False)
     assert stopped.status == rc.Status.STOP_CANCELLED and stopped.statuses[0, 0] == 0 and stopped.statuses[3, 0] == 103
-
-
-def test_batch_of_products(small_matrix):
-    gaps = np.array([np.linspace(0, 2, 12), np.linspace(0, 3, 12)])
-    product = rc.Product(lambda x: small_matrix @ x, 12, pitch=1)
-    answer = rc.batch(undeformed_gap=gaps, approach=1.5, system=product, options={"threads": 2})
-    dense = rc.batch(undeformed_gap=gaps, approach=1.5, system=rc.Matrix(small_matrix, pitch=1))
-    assert np.allclose(answer.load, dense.load, rtol=1e-6)

@@ -30,11 +30,3 @@ CASES = {
 @pytest.mark.parametrize("case", CASES)
 def test_what_does_not_fit_is_refused(case):
     refused(rc.ArgumentError, "whole number is needed|the library takes", CASES[case])
-
-
-def test_whole_numbers_of_every_type():
-    for sides in ((4, 4), [4, 4], np.array([4, 4]), (np.int32(4), np.uint8(4))):
-        assert rc.HalfSpace(sides, **HOW).shape == (4, 4)
-    for side in (4, np.int64(4), np.array(4), range(4, 5)):
-        assert rc.HalfSpace(side, **HOW).shape == (4,)
-    assert rc.surface.noise(4, seed=np.uint64(2**64 - 1)).shape == (4,)

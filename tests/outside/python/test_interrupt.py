@@ -15,6 +15,7 @@ import roughcontact as rc
 from roughcontact import _calls
 from roughcontact._calls import _wait
 
+FREE = {"modulus": 1.0, "boundary": "free"}
 LONG = {"modulus": 1.0, "options": {"solver": "gp", "tol": 1e-14, "max_iter": 10**9}}
 
 
@@ -65,7 +66,7 @@ def test_it_ends_one_call_only(half_space, sphere_gap):
         contact.solve(undeformed_gap=sphere_gap, approach=3e-7)
         length = time.monotonic() - begun
         before = signal.signal(signal.SIGALRM, signal.default_int_handler)
-        for share in np.linspace(0.1, 1.5, 30):
+        for share in np.linspace(0.1, 1.5, 12):
             try:
                 signal.setitimer(signal.ITIMER_REAL, share * length)
                 contact.solve(undeformed_gap=sphere_gap, approach=3e-7, warm_start=False)
@@ -87,36 +88,46 @@ def test_path_keeps_its_steps(large):
 
 def test_batch_keeps_its_contacts():
     gaps = np.stack([rc.surface.spectral((64, 64), seed=k).undeformed_gap() for k in range(4)])
-    targets = np.tile([1.0, 2.0], 20000)
-    for each in (lambda i, k, result: press() if k == 2 else None, None):
-        timer = threading.Timer(0.3, press)
-        with pytest.raises(rc.Interrupted) as caught:
-            if each is None:
-                timer.start()
-            rc.batch(undeformed_gap=gaps, pitch=1.0, modulus=1.0, boundary="free", approach=targets, each=each, options={"threads": 2})
-    timer.join()
+    pressed = []
+
+    def each(contact, step, result):  # once: a second Ctrl-C might come when the call has ended
+        if step == 2 and not pressed:
+            pressed.append(1)
+            press()
+
+    with pytest.raises(rc.Interrupted) as caught:
+        rc.batch(
+            undeformed_gap=gaps,
+            **{**FREE, "pitch": 1.0},
+            approach=np.tile([1.0, 2.0], 20000),
+            each=each,
+            options={"threads": 2},
+        )
     done = caught.value.result
     assert (done.statuses == rc.Status.STOP_CANCELLED).sum() > 4
     assert np.array_equal(np.isfinite(done.load), done.statuses == rc.Status.OK)
 
 
-def test_products_in_python_end():
-    n = 400
-    i = np.arange(n)
-    H = 1.0 / (1.0 + np.abs(i[:, None] - i)) + np.eye(n)
-
+def pressing_at(number):
+    """A product in Python, during whose call of this number Ctrl-C is pressed."""
     calls = []
 
     def product(x):
         calls.append(1)
-        if len(calls) == 4:
+        if len(calls) == number:
             press()
-        return H @ x
+        return 2.0 * x
 
-    with pytest.raises(rc.Interrupted):
-        rc.solve(
-            undeformed_gap=np.linspace(0, 1, n), approach=0.9, system=rc.Product(product, n, pitch=1), options=LONG["options"]
-        )
+    return rc.Product(product, 400, pitch=1)
+
+
+def test_products_in_python_end():
+    gap = np.linspace(0, 1, 400)
+    for call in (
+        lambda: rc.solve(undeformed_gap=gap, approach=0.9, system=pressing_at(4), options={**LONG["options"], "tol": 1e-16}),
+        lambda: rc.batch(undeformed_gap=np.tile(gap, (5000, 1)), approach=0.9, system=pressing_at(50)),
+    ):
+        refused(rc.Interrupted, "", call)
 
 
 def test_handlers_of_the_caller_are_respected(large):
@@ -137,23 +148,6 @@ def test_handlers_of_the_caller_are_respected(large):
         refused(Mine, "", rc.solve, large, approach=2.0, progress=press_at(3), **LONG)
     finally:
         signal.signal(signal.SIGINT, before)
-
-
-def test_pressing_it_often_does_no_harm(large):
-    timers = [threading.Timer(after, press) for after in (0.1, 0.1005, 0.101, 0.102, 0.104, 0.3)]
-    interrupted, deadline = 0, time.monotonic() + 0.6
-    started = False
-    while time.monotonic() < deadline or any(timer.is_alive() for timer in timers):
-        try:
-            if not started:
-                started = True
-                for timer in timers:
-                    timer.start()
-            rc.solve(large, approach=2.0, check=False, modulus=1.0, boundary="free", options={**LONG["options"], "time_limit": 0.2})
-        except KeyboardInterrupt:
-            interrupted += 1
-    assert interrupted >= 1
-    assert rc.solve(large, approach=1.0, modulus=1.0, boundary="free").certified
 
 
 def test_a_handler_that_raises_when_the_call_has_ended_is_not_waited_for():
@@ -236,31 +230,35 @@ def test_calls_that_are_left_too_early_end_by_themselves(large, monkeypatch, kin
 
 
 def test_two_signals_at_the_same_time():
-    """In a Python of its own: what handlers raise may arrive anywhere."""
+    """In a Python of its own: what handlers raise may arrive anywhere. The callback waits for them, so none is late."""
     code = """
 import os, signal, threading, time, roughcontact as rc
 from roughcontact import _calls
-def term(*_):
-    raise SystemExit(3)
+heard = []
+def term(number, _):
+    heard.append(number)
+    raise SystemExit(3) if number == signal.SIGTERM else KeyboardInterrupt
+signal.signal(signal.SIGINT, term)
 signal.signal(signal.SIGTERM, term)
-large, left = rc.surface.spectral((128, 128)), 0
+large = rc.surface.spectral((128, 128))
+def both(progress):
+    if progress.iteration > 3 and not heard:
+        os.kill(os.getpid(), signal.SIGINT)
+        os.kill(os.getpid(), signal.SIGTERM)
+        while len(heard) < 2:
+            time.sleep(0.001)
 for _ in range(10):
-    hit = []
-    def both(progress):
-        if progress.iteration > 3 and not hit:
-            hit.append(1)
-            os.kill(os.getpid(), signal.SIGINT)
-            os.kill(os.getpid(), signal.SIGTERM)
+    heard.clear()
     try:
         rc.solve(large, approach=2.0, modulus=1.0, boundary="free", progress=both, options={"solver": "gp", "tol": 1e-14, "max_iter": 10**9})
-    except BaseException as error:
-        kept = error
+    except (KeyboardInterrupt, SystemExit):
+        assert len(heard) == 2
     while [thread for thread in threading.enumerate() if thread.name == "roughcontact" and thread not in _calls.free]:
         time.sleep(0.01)
 assert rc.solve(large, approach=1.0, modulus=1.0, boundary="free").certified
 print("sound")
 """
-    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120)
+    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=300)
     assert ran.stdout == "sound\n" and ran.returncode == 0, ran.stderr
 
 

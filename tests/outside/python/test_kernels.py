@@ -47,16 +47,6 @@ def test_the_half_space_by_a_function():
     assert "mine" not in [each.name for each in rc.kernels()]
 
 
-def test_a_softer_half_space():
-    context = rc.Context()
-    context.add_kernel("soft", lambda qx, qy: 4 / np.hypot(qx, qy))
-    with rc.Contact(
-        rc.HalfSpace(SHAPE, pitch=0.5e-6, modulus=1e9, boundary="periodic"), options={"tol": 1e-10}, context=context
-    ) as contact:
-        wanted = contact.solve(undeformed_gap=gap(), approach=0.6e-6)
-    assert load("soft", context).load == pytest.approx(wanted.load, rel=1e-8)
-
-
 def test_it_outlives_its_context():
     context = rc.Context()
     context.add_kernel("mine", lambda qx, qy: 2 / np.hypot(qx, qy))
@@ -87,14 +77,3 @@ def test_what_goes_wrong_is_told(symbol, error, says):
         load("wrong", context)
     assert says in str(caught.value)
     load("spectral", context)
-
-
-def test_what_cannot_be_registered():
-    context = rc.Context()
-    with pytest.raises(rc.PluginError, match='"love" is registered already'):
-        context.add_kernel("love", raising)
-    with pytest.raises(rc.PluginError):
-        context.add_kernel("No Name", raising)
-    context.add_kernel("mine", lambda qx, qy: 2 / np.hypot(qx, qy))
-    with pytest.raises(rc.IncompatibleError, match='kernel "mine" is not for free boundaries'):
-        rc.Contact(rc.HalfSpace(SHAPE, pitch=1.0, modulus=1.0, boundary="free"), options={"kernel": "mine"}, context=context)

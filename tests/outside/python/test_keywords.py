@@ -185,27 +185,6 @@ def test_options_are_printed_as_keywords(rough):
     assert "`roughcontact.options()`" in rc.solve.__doc__
 
 
-def test_signatures_are_readable():
-    """Names of types instead of what they stand for."""
-    import inspect
-
-    for function in (rc.solve, rc.history, rc.batch, rc.Contact.solve, rc.HalfSpace, rc.analysis.patches, rc.direct.nnls):
-        text = str(inspect.signature(function))
-        assert "ndarray" not in text and "SupportsArray" not in text and "Union[float" not in text, text
-    assert "undeformed_gap: 'Optional[ArrayLike]'" in str(inspect.signature(rc.solve))
-
-
-@pytest.mark.parametrize("call", [rc.solve, rc.history, rc.batch, rc.Contact.solve, rc.Contact.history])
-def test_errors_name_all_ways(rough, call):
-    system = rc.HalfSpace.under(rough, modulus=1e9)
-    with rc.Contact(system) as contact:
-        given = (contact, rough) if "Contact" in call.__qualname__ else (rough,)
-        more = {} if len(given) == 2 else {"system": system}
-        refused(rc.ArgumentError, "nothing presses: one of approach, load, pressure, area is needed", call, *given, **more)
-        refused(rc.ArgumentError, "give only one of load and pressure", call, *given, **more, load=1.0, pressure=1.0)
-    refused(rc.ArgumentError, "modulus is missing", rc.HalfSpace, (4, 4), pitch=1.0)
-
-
 @pytest.mark.parametrize("name", ["load", "approach", "pressure", "area"])
 def test_histories_without_a_step_are_refused(rough, name):
     for call in (rc.history, rc.batch):

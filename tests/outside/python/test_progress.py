@@ -73,14 +73,6 @@ def test_a_contact_shows_a_bar_for_each_call(rough, bars):
     assert [bar.total for bar in bars] == [None, 2, None] and not any(bar.open for bar in bars)
 
 
-def test_a_bar_ends_with_a_call_that_fails(rough, bars):
-    with pytest.raises(rc.NotCertifiedError):
-        rc.solve(rough, **PRESS, load=1e-4, max_iter=2, progress=True)
-    with pytest.raises(rc.InfeasibleError):
-        rc.solve(rough, **PRESS, load=-1.0, progress=True)
-    assert len(bars) == 2 and not any(bar.open for bar in bars)
-
-
 def test_without_tqdm_a_warning_says_so(rough, monkeypatch):
     monkeypatch.setitem(sys.modules, "tqdm.auto", None)
     with pytest.warns(RuntimeWarning, match="tqdm is not installed"):

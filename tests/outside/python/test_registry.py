@@ -1,7 +1,6 @@
 """Backends, solvers, kernels, options and versions."""
 
 import numpy as np
-import pytest
 from conftest import refused
 
 import roughcontact as rc
@@ -46,23 +45,6 @@ def test_contexts_of_ones_own(sphere_gap, half_space):
     said = []
     rc.backends(rc.Context("relative", log=lambda level, message: said.append((level, message))))
     assert said and said[0][0] == "warning" and "relative" in said[0][1]
-
-
-def test_pairs_are_judged_without_solving():
-    system = rc.HalfSpace((64, 64), pitch=1.0, modulus=1.0, boundary="periodic")
-    assert rc.supported("polonsky-keer", "fft", system, load=True) == (rc.Status.OK, "")
-    status, reason = rc.supported("nnls", "split", system)
-    assert status < 0 and reason
-    assert rc.supported("nonesuch", "fft", system)[0] == rc.Status.ERR_NO_SOLVER
-    matrix = rc.Matrix(np.eye(4), pitch=1)
-    assert rc.supported("nnls", "dense", matrix)[0] == rc.Status.OK
-
-
-def test_kernel_coefficients():
-    found = rc.kernel_coefficients("love", (3, 4), (2.0, 1.0))
-    assert found.shape == (3, 4) and found[0, 0] == found.max()
-    assert found[0, 3] == pytest.approx(2.0 / (np.pi * 6.0), rel=0.02)  # far away: the cell's area over pi r
-    refused(rc.OptionError, "", rc.kernel_coefficients, "nonesuch", (3, 4), 1.0)
 
 
 def test_versions():

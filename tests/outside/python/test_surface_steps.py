@@ -108,17 +108,6 @@ def test_heights_between_points_are_those_of_the_formulas(rough, method, periodi
     assert finer.periodic is False  # 66 rows of 0.3 are less than the map
 
 
-def test_parabolas_and_planes_are_exact():
-    x, y = np.meshgrid(np.arange(9.0), np.arange(7.0))
-    fine_x, fine_y = np.meshgrid((np.arange(22) + 0.5) * 0.4 - 0.5, (np.arange(17) + 0.5) * 0.4 - 0.5)
-    inside = (fine_x >= 0) & (fine_x <= 8) & (fine_y >= 0) & (fine_y <= 6)
-    for method, form in (("linear", lambda x, y: 2 * x - y + 3), ("cubic", lambda x, y: x * x - 0.3 * x * y + 2 * y * y - y)):
-        found = rc.Surface(form(x, y), 1.0).resampled(0.4, method=method)
-        assert found.shape == (17, 22)
-        assert np.allclose(found.heights[inside], form(fine_x, fine_y)[inside], rtol=0, atol=1e-11)
-        assert np.isnan(found.heights[~inside]).all()
-
-
 def test_missing_heights_stay_missing(rough):
     z = rough.heights.copy()
     z[10, 20] = np.nan

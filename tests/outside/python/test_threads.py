@@ -2,7 +2,6 @@
 
 import os
 import threading
-import time
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
@@ -13,15 +12,6 @@ import roughcontact as rc
 from roughcontact._threads import usable_cores, with_threads
 
 LONG = {"solver": "gp", "tol": 1e-14, "max_iter": 10**9}
-
-
-def test_same_bits_from_every_thread():
-    surfaces = [rc.surface.spectral((48, 48), seed=k) for k in range(8)]
-    expected = [rc.solve(s, modulus=1.0, approach=1.0).pressure for s in surfaces]
-    with ThreadPoolExecutor(4) as pool:
-        for _ in range(3):
-            found = list(pool.map(lambda s: rc.solve(s, modulus=1.0, approach=1.0).pressure, surfaces))
-            assert all(np.array_equal(a, b) for a, b in zip(found, expected))
 
 
 def test_errors_belong_to_their_threads():
@@ -35,20 +25,13 @@ def test_errors_belong_to_their_threads():
 
 
 def test_other_threads_run_during_a_solve():
-    """The interpreter's lock is not held."""
-    large = rc.surface.spectral((256, 256))
-    ticks, stop = [], threading.Event()
-
-    def tick():
-        while not stop.wait(0.005):
-            ticks.append(time.monotonic())
-
-    thread = threading.Thread(target=tick)
-    thread.start()
-    rc.solve(large, modulus=1.0, approach=2.0, check=False, options={**LONG, "time_limit": 0.5})
-    stop.set()
-    thread.join()
-    assert len(ticks) > 10
+    """The interpreter's lock is not held: another thread ends a call that sees no Python."""
+    with rc.Contact(rc.HalfSpace((256, 256), pitch=1, modulus=1, boundary="free"), options={**LONG, "time_limit": 300}) as contact:
+        thread = threading.Timer(0.1, contact.cancel)  # before the call begins it is cancelled as well
+        thread.start()
+        gap = rc.surface.spectral((256, 256)).undeformed_gap()
+        assert contact.solve(undeformed_gap=gap, approach=2.0, check=False).status == rc.Status.STOP_CANCELLED
+        thread.join()
 
 
 def test_a_second_thread_is_told(small_matrix):
@@ -106,16 +89,6 @@ def test_every_core_is_used_where_it_pays(monkeypatch):
     for rubbish in ("", " ", "0", "-1", "abc", "1.0", "²", "2,x", "2,", ",2", "2 2", "1e0", "0x1", "99999999999999999999"):
         cores(monkeypatch, 3, OMP_NUM_THREADS=rubbish)
         assert usable_cores() == 3, rubbish
-
-
-def test_the_number_of_cores_does_not_change_the_bits(monkeypatch):
-    surface = rc.surface.spectral((256, 256), pitch=1e-6, rms_height=1e-7, seed=1)
-    found = []
-    for number in (1, 2, 5):
-        cores(monkeypatch, number)
-        found.append((rc.solve(surface, modulus=1e9, load=1e-3), rc.batch([surface] * 3, modulus=1e9, load=1e-3).load))
-    for one, many in found[1:]:
-        assert np.array_equal(one.pressure, found[0][0].pressure) and np.array_equal(many, found[0][1])
 
 
 def test_a_contact_keeps_its_threads_when_options_change(monkeypatch):

@@ -39,12 +39,6 @@ def test_the_same_words_mean_the_same(micrometres):
         assert contact.solve(named, pressure=1e6).approach == pytest.approx(want.approach, rel=1e-9)
 
 
-def test_without_units_any_consistent_set_stays(micrometres):
-    free = rc.solve(micrometres, pitch=0.5, modulus=1e-3, boundary="free", pressure=1e-6)
-    assert free.load == pytest.approx(1e-6 * 144)
-    assert rc.solve(rc.Surface(micrometres, 0.5), modulus=1e-3, boundary="free", pressure=1e-6).approach == free.approach
-
-
 def test_what_could_mean_either_is_refused(micrometres):
     named = rc.Surface(micrometres, 0.5, unit="um")
     for unit in ("um", "m", "nm"):
@@ -90,11 +84,3 @@ def test_numbers_alone_refuse_texts_with_units(micrometres):
         ("viscosity", lambda: rc.flow(micrometres, pitch=0.5, viscosity="1mPas", pressure_drop=1)),
     ):
         refused(rc.ArgumentError, f"{name} is .*solve, law, prepare and budget read texts with units", call)
-
-
-def test_a_part_of_a_map_is_a_sample_as_the_map_is(tmp_path, micrometres):
-    """Unless the file says that the surface ends."""
-    file = tmp_path / "map.npy"
-    np.save(file, micrometres)
-    words = {"pitch": 0.5, "unit": "um", "modulus": 1e9, "pressure": 1e6, "crop": "1um"}
-    assert rc.solve(str(file), **words).grid.periodic == rc.solve(str(file), **words, boundary="periodic").grid.periodic

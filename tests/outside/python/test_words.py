@@ -15,7 +15,7 @@ import pytest
 import roughcontact as rc
 from roughcontact import raw
 from roughcontact.report.run import read_arguments
-from word_rows import BASE, ELASTIC, RIGHT, STEPS, WRONG, write_files
+from word_rows import BASE, ELASTIC, FREE, RIGHT, STEPS, WRONG, write_files
 
 RANKS, LAW, ANALYZE = (getattr(raw, f"RC_CALL_{name}") for name in ("ROWS", "LAW", "ANALYZE"))
 BUILD = pathlib.Path(rc.library_file()).resolve().parents[1]
@@ -194,16 +194,19 @@ def test_the_same_refusal(word, here):
 RESIDUALS = {"seconds", "setup_seconds", "note", "duality_gap", "kkt_primal", "kkt_dual", "kkt_complementarity", "kkt_control"}
 
 
-@pytest.mark.parametrize("word, text, values", STEPS)
-def test_the_same_steps(word, text, values, here, command):
-    words = given({"load": None, word: text})
+OTHERS = {"hardness": "5MPa"}, {"surface": "holed.npy", "missing": "exclude", **FREE}  # bodies with columns of their own
+
+
+@pytest.mark.parametrize("word, text, values, change", [(*row, {}) for row in STEPS] + [(*STEPS[2], change) for change in OTHERS])
+def test_the_same_steps(word, text, values, change, here, command):
+    words = given({"load": None, word: text, **change})
     written = summary_of(words)
-    words.pop("surface")
-    history, batch = rc.history("surface.npy", **words), rc.batch("surface.npy", **words)
+    surface = words.pop("surface")
+    history, batch = rc.history(surface, **words), rc.batch(surface, **words)
     assert written["input"]["targets"] == list(history.targets) == pytest.approx(values, rel=1e-12, abs=0)
     assert written["input"]["control"] == history.prescribed == word
     assert batch.approach[0] == pytest.approx(history.approach, rel=1e-12, abs=0)
-    columns = rc.history("surface.npy", **words, stiffness=True, want_gap=True, resumable=1)._columns()
+    columns = rc.history(surface, **words, stiffness=True, want_gap=True, resumable=1)._columns()
     for k, step in enumerate(written["steps"]):
         assert len(step) > 45
         for name in set(step) - RESIDUALS:
@@ -228,6 +231,27 @@ def test_the_same_analysis(word, here, command):
         found = of(lambda: rc.surface.analyze(rc.prepare(named.pop("surface"), **named)))
         for name in ("rms_height", "rms_slope", "skewness"):
             assert written[name] == pytest.approx(getattr(found, name), rel=1e-9), (change, name)
+
+
+def test_an_analysis_has_every_number(here, command):
+    words = {"pitch": "1um,2um", "unit": "m", "boundary": "periodic"}
+    done = run([command, "analyze"], "surface.npy", words, "--json", "analysis.json", "--levels", "2", "--approach", "50nm")
+    assert done.returncode == 0, done.stderr
+    written = json.loads(pathlib.Path("analysis.json").read_text())
+    surface = rc.Surface(np.load("surface.npy"), (1e-6, 2e-6), periodic=True)
+    parts = {
+        "statistics": rc.surface.analyze(surface),
+        "spectrum": rc.surface.power_law(surface),
+        "cmr": rc.surface.cmr_advice(surface, 2, 50e-9),
+    }
+    for part, found in parts.items():
+        for name in set(vars(found)) & set(written[part]):
+            value, own = written[part][name], getattr(found, name)
+            assert value == own or np.isnan(own) if value is None or isinstance(own, (str, bool)) else value == pytest.approx(own), name
+    assert len(set(vars(parts["statistics"])) & set(written["statistics"])) > 7
+    spectrum = rc.surface.psd(surface)
+    assert written["psd"]["C"] == pytest.approx(spectrum.psd.tolist()) and written["psd"]["modes"] == spectrum.modes.tolist()
+    assert written["psd"]["q"] == pytest.approx(spectrum.q.tolist())
 
 
 @pytest.mark.parametrize("word", [word for word in RIGHT if RIGHT[word] and TAKEN[word] & LAW and word != "pressure"])

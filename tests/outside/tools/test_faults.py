@@ -3,7 +3,6 @@ import itertools
 import json
 import os
 import re
-import resource
 import signal
 import stat
 import subprocess
@@ -120,13 +119,6 @@ class Folder(CommandTest):
                         self.assert_fails("solve", surface, *HERTZ, "--approach", "1e-8", "--out", "out", *resume, says=["--out", name, "is no regular file"])
                         path.rmdir() if path.is_dir() else path.unlink()
 
-    def test_a_pipe_in_the_place_of_earlier_pressures_is_not_opened(self):
-        surface = self.npy(paraboloid(24))
-        self.solve(surface, *HERTZ, "--approach", "1e-8", "--out", "out", "--quiet")
-        (self.folder / "out/pressure-1.npy").unlink()
-        os.mkfifo(self.folder / "out/pressure-1.npy")
-        self.assert_fails("solve", surface, *HERTZ, "--approach", "1e-8,2e-8", "--out", "out", "--resume", says=["pressure-1.npy", "is no regular file"])
-
     def test_a_disk_that_fills_up(self):
         if os.geteuid() != 0:
             self.skipTest("mounting a small disk needs privileges")
@@ -151,16 +143,6 @@ class Folder(CommandTest):
             finally:
                 subprocess.run(["umount", disk], check=True)
         self.assertGreaterEqual(unfinished, {"pressure", "gap"})
-
-    def test_output_of_other_commands_on_a_full_disk(self):
-        def small_disk():
-            resource.setrlimit(resource.RLIMIT_FSIZE, (512, 512))
-
-        surface = self.npy(rough())
-        for command in (["generate", "noise", "--size", "32", "--output", "a.npy"], ["generate", "noise", "--output", "a.gsf"],
-                        ["analyze", surface, "--pitch", "1e-6", "--json", "a.json"]):
-            with self.subTest(command):
-                self.assert_fails(*command, says=["cannot write", command[-1]], preexec_fn=small_disk, restore_signals=False)
 
 
 class Signals(CommandTest):

@@ -1,88 +1,16 @@
-"""Files of `roughcontact`: surfaces it reads, and the folder it writes, whole at every moment."""
+"""The folder that `roughcontact solve` writes: which files of each step, whole at every moment."""
 import csv
-import io
 import json
 import os
 import resource
 import signal
-import struct
 import subprocess
 import time
 
 import harness
-from harness import CommandTest, gsf, np, rough, step_file, without_gnuplot
+from harness import CommandTest, np, rough, step_file, without_gnuplot
 
 PRESS = ["--modulus", "1e9", "--approach", "1.5e-7", "--boundary", "free"]
-
-
-class Reading(CommandTest):
-    def gap_of(self, surface, *arguments):
-        """The deformed gap at first touch is max(z) - z, so it shows the heights that were read."""
-        self.solve(surface, "--modulus", "1e9", "--approach", "0", "--out", "out", "--quiet", *arguments, env=without_gnuplot())
-        given = json.loads((self.folder / "out/summary.json").read_text())["input"]
-        return np.load(self.folder / "out/gap-1.npy"), (given["hx"], given["hy"])
-
-    def assert_reads(self, surface, z, pitch, *arguments, rtol=1e-15):
-        gap, found = self.gap_of(surface, *arguments)
-        np.testing.assert_allclose(gap, z.max() - z, rtol=rtol, atol=rtol * np.ptp(z))
-        np.testing.assert_allclose(found, pitch, rtol=1e-14)
-
-    def test_gsf_units_and_pitch(self):
-        z = rough().astype("<f4").astype(float)
-        for fields, lateral, vertical in (("XYUnits = m\nZUnits = m\n", 1, 1), ("XYUnits=um\nZUnits=nm\n", 1e-6, 1e-9),
-                                          ("XYUnits = \u00b5m\nZUnits = \u03bcm\nTitle = M\u00fcnze\n", 1e-6, 1e-6), ("", 1, 1)):
-            bare = [] if fields else ["--unit", "m"]
-            self.assert_reads(self.file("a.gsf", gsf(z, 3, 5, fields)), z * vertical, (3 * lateral, 5 * lateral), *bare)
-            offset = self.file("a.gsf", gsf(z, 3, 5, fields + "ZOffset = 0.25\n"))
-            self.assert_reads(offset, (z + 0.25) * vertical, (3 * lateral, 5 * lateral), *bare)
-        self.assert_reads(self.file("a.gsf", gsf(z, 3, 5)), z * 1e-6, (3e-6, 5e-6), "--unit", "um")
-
-    def test_contents_go_before_the_extension(self):
-        z = np.arange(12.0).reshape(3, 4)
-        stream = io.BytesIO()
-        np.save(stream, z)
-        for name, contents in (("array.gsf", stream.getvalue()), ("array", stream.getvalue()), ("field.npy", gsf(z, 1, 1))):
-            self.assert_reads(self.file(name, contents), z, (1, 1), "--pitch", "1", "--unit", "m")
-
-    def test_wrong_files(self):
-        good = gsf(rough(6, 8), 1, 1)
-        cases = [
-            ("missing.npy", None, "No such file"),
-            ("empty.txt", "", "no numbers"),
-            ("empty.npy", "", "NUMPY"),
-            ("a.png", b"\x89PNG", "PNG"),
-            ("a.txt", "1 2 3\n4 5\n", ["row 2", "2 values", "expected 3"]),
-            ("a.txt", "1 2\n3 x\n", ["row 2, column 2", '"x"']),
-            ("a.txt", "1;;2\n", "1 missing value of 3, first at ix=1, iy=0"),
-            ("a.txt", "# Width: 10 px\n1 2\n", '"px" is not a length'),
-            ("a.txt", "# Value units: V\n1 2\n", ["heights", '"V"']),
-            ("a.txt", "1 nan 3\n4 5 inf\n", "2 missing values of 6, first at ix=1, iy=0; give --missing fill"),
-            ("a.gsf", gsf(np.where(np.arange(6) == 4, np.nan, 1.0).reshape(2, 3), 1e-6, 1e-6), "1 missing value of 6, first at ix=1, iy=1"),
-            ("a.gsf", good[:-1], ["8 x 6", "truncated"]),
-            ("a.gsf", good + b"\0\0\0\0", ["8 x 6", "4 bytes follow"]),
-            ("a.gsf", good.replace(b"XRes = 8", b"XRes = -8"), ["XRes", "-8"]),
-            ("a.gsf", good.replace(b"XRes = 8\nYRes = 6", b"XRes = 4294967296\nYRes = 4294967296"), "truncated"),
-            ("a.gsf", good.replace(b"XRes", b"Xres"), "no XRes"),
-            ("a.gsf", gsf(rough(6, 8), -1, 1), "XReal"),
-            ("a.gsf", gsf(rough(6, 8), 1, 1, "ZUnits = V\n"), ["heights", '"V"']),
-            ("a.gsf", gsf(rough(6, 8), 1, 1, "nonsense\n"), "nonsense"),
-            ("a.gsf", gsf(rough(6, 8), 1, 1, "ZOffset = inf\n"), ["ZOffset", "inf"]),
-            ("a.gsf", b"Gwyddion Simple Field 1.0\nXRes = 1\nYRes = 1\n", "no end"),
-            ("a.gsf", b"Gwyddion Simple Field 2.0\n", "first line"),
-        ]
-        for descr, shape, says in (("<f8", "(2,)", "shape"), ("<f8", "(1, 2, 3)", "shape"), ("<f8", "(-2, -3)", "-3 x -2"),
-                                   ("<f8", "(2, 4)", "truncated"), ("<f8", "(2, 2)", "bytes follow"), ("<c16", "(2, 3)", "<c16"),
-                                   ("|O", "(2, 3)", "|O"), ("<f8", "(4294967296, 4294967296)", "truncated"), ("<f8", "(99999999999999999999, 1)", "shape")):
-            header = ("{'descr': '%s', 'fortran_order': False, 'shape': %s, }\n" % (descr, shape)).encode()
-            cases.append(("a.npy", b"\x93NUMPY\x01\x00" + struct.pack("<H", len(header)) + header + bytes(48), says))
-        cases.append(("a.npy", b"\x93NUMPY\x02\x00" + struct.pack("<I", 0xFFFFFFF0), "at most"))
-        cases.append(("a.npy", b"\x93NUMPY\x09\x00", "version 9"))
-        for name, contents, says in cases:
-            with self.subTest(name=name, says=says):
-                if contents is not None:
-                    self.file(name, contents)
-                self.assert_fails("solve", name, "--pitch", "1e-6", *PRESS, "--unit", "m", "--out", "out", says=[name] + ([says] if isinstance(says, str) else says))
-        self.assert_fails("solve", ".", *PRESS, says="folder")
 
 
 class Writing(CommandTest):
@@ -166,6 +94,37 @@ class Writing(CommandTest):
             self.assertEqual(sorted(os.listdir(out)), sorted(["heights.npy", "steps.csv", "summary.json"] + [step_file(stem, k + 1, 5000) for k in range(len(steps)) for stem in ("gap", "pressure")]))
             for k, step in enumerate(steps, 1):
                 self.assertAlmostEqual(np.load(out / step_file("pressure", k, 5000)).sum() * 1e-12, step["load"], delta=1e-12 * step["load"])
+
+    def steps_of(self, *arguments, out="out"):
+        self.solve(self.npy(rough()), *PRESS[:2], "--pitch", "1e-6", "--quiet", *arguments, "--out", out, env=without_gnuplot())
+
+    def test_names_sort_as_the_steps_do(self):
+        self.steps_of("--approach", "1e-8:1e-7:10")
+        for stem in ("gap", "pressure"):
+            names = [name for name in self.names("out") if name.startswith(stem)]
+            self.assertEqual(names, ["%s-%02d.npy" % (stem, k) for k in range(1, 11)])
+
+    def test_a_history_that_grows_gets_new_names(self):
+        targets = ["%de-9" % k for k in range(10, 22)]
+        self.steps_of("--approach", ",".join(targets), "--write", "vti", out="whole")
+        for count in (3, 9, 10, 12):
+            self.steps_of("--approach", ",".join(targets[:count]), "--write", "vti", "--resume", out="cut")
+            self.assertEqual(len([name for name in self.names("cut") if name.startswith("gap-")]), count)
+        self.assertEqual(self.names("cut"), self.names("whole"))
+        for name in self.names("whole"):
+            if name.endswith(".npy"):
+                self.assertEqual((self.folder / "cut" / name).read_bytes(), (self.folder / "whole" / name).read_bytes())
+        self.steps_of("--approach", "1e-8", out="cut")
+        self.assertEqual(self.names("cut"), ["gap-1.npy", "heights.npy", "pressure-1.npy", "steps.csv", "summary.json"])
+
+    def test_tables_without_maps(self):
+        self.solve(self.npy(rough()), "--pitch", "1e-6", "--modulus", "1e9", "--quiet", "--approach", "1e-8:1e-7:3", "--out", "out", "--no-maps")
+        self.assertEqual([name for name in self.names("out") if name != "history.png"], ["steps.csv", "summary.json"])
+        with open(self.folder / "out/steps.csv", newline="") as file:
+            self.assertEqual(len(list(csv.DictReader(file))), 3)
+        surface = self.npy(rough())
+        for arguments, says in ((["--no-maps"], "--out"), (["--out", "x", "--no-maps", "--write", "vti"], "not both"), (["--out", "x", "--no-maps", "--resume"], "--no-maps")):
+            self.assert_fails("solve", surface, "--pitch", "1e-6", "--modulus", "1e9", "--quiet", "--approach", "1e-8", *arguments, says=says)
 
 
 if __name__ == "__main__":

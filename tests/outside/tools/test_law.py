@@ -25,20 +25,6 @@ class Laws(CommandTest):
         self.law(name, *MAKE, "-o", "a.law", "--json", "a.json", "--quiet", *arguments, **settings)
         return json.loads((self.folder / "a.json").read_text())
 
-    def test_nodes_are_solves(self):
-        said = self.made()
-        facts, nodes = said["law"], said["nodes"]
-        self.assertEqual((facts["status"], facts["bounds"], facts["bulk"]), ("RC_OK", "convex", "none"))
-        self.assertLessEqual(facts["width"], 0.01)
-        np.testing.assert_allclose((nodes[1]["p"], nodes[-1]["p"]), (10e6, 500e6), rtol=1e-9)
-        np.testing.assert_allclose(facts["modulus"], MODULUS, rtol=1e-12)
-        node = nodes[len(nodes) // 2]
-        self.solve("surface.npy", "--pitch", "1um", "--modulus", MODULUS, "--boundary", "periodic", "--pressure", node["p"], "--out", "out", "--quiet",
-                   env=without_gnuplot())
-        (step,) = json.loads((self.folder / "out/summary.json").read_text())["steps"]
-        np.testing.assert_allclose((node["x"], node["slope"] * 576e-12, node["area_fraction"]),
-                                   (step["approach"], step["stiffness"], step["area_fraction"]), rtol=1e-6)
-
     def test_a_law_that_is_read_has_the_rows_of_the_one_made(self):
         rows = self.made("--at", "20MPa,200MPa")["rows"]
         shown = self.law("a.law", "--at", "20MPa,200MPa", "--json", "b.json").stdout
@@ -155,18 +141,6 @@ class Refusals(CommandTest):
                 (["law", "absent.law"], "absent.law"), (["law", "absent.npy", *law[2:], "--pressure", "1kPa..1MPa"], "absent.npy")):
             with self.subTest(arguments):
                 self.assert_fails(*arguments, says=says)
-
-    def test_damaged_laws(self):
-        name = self.npy(rough(24, 24, rms=5e-8))
-        done = self.run_command("law", name, *MAKE, "-o", "a.law", "--quiet")
-        self.assertEqual(done.returncode, 0, done.stderr)
-        whole = (self.folder / "a.law").read_bytes()
-        for contents, says in ((whole[:-2], "damaged"), (whole.replace(b"nodes", b"modes", 1), "damaged"), (b"hello", "does not begin with"), (b"", "a.law"),
-                               (whole.replace(b"law 1\n", b"law 2\n", 1), "of version 2; this library reads up to 1: a newer library is needed")):
-            self.file("a.law", contents)
-            self.assert_fails("law", "a.law", "--export", "csv=a.csv", says=["a.law", says])
-        self.file("a.law", whole)
-        self.assert_fails("law", "a.law", "--pressure", "1MPa..2MPa", says='--pressure is about making a law, and "a.law" is one already')
 
 
 if __name__ == "__main__":

@@ -38,15 +38,6 @@ class Leaks(CommandTest):
         self.assertEqual([summary["steps"][0][name] for name in ("leak", "leak_upper", "gap_crosses")], [0, None, "none"])
         self.assertIn("leak along x 0 m^3/s, no bound is known\n", said)
 
-    def test_the_axis_is_that_of_the_word(self):
-        _, along_x = self.steps("--pressure", "1MPa", "--leak", FLUID)
-        _, along_y = self.steps("--pressure", "1MPa", "--leak", FLUID + ",along=y")
-        np.save(self.folder / "surface.npy", rough(48, 48).T.copy())
-        _, turned = self.steps("--pressure", "1MPa", "--leak", FLUID + ",along=y")
-        x, y, t = (each["steps"][0]["leak"] for each in (along_x, along_y, turned))
-        self.assertAlmostEqual(t / x, 1, places=4)
-        self.assertNotAlmostEqual(y / x, 1, places=2)
-
     def test_a_history_with_leaks_goes_on_and_no_other(self):
         _, whole = self.steps("--pressure", "1MPa,2MPa", "--leak", FLUID)
         (self.folder / "out").rename(self.folder / "whole")
@@ -58,18 +49,6 @@ class Leaks(CommandTest):
             self.assertEqual([mine[name] for name in ("leak_lower", "leak_upper")], [other[name] for name in ("leak_lower", "leak_upper")])
         arguments[arguments.index(FLUID)] = "viscosity=2mPas,drop=1bar"
         self.assert_fails("solve", *arguments, "--pressure", "1MPa,2MPa", "--resume", says="viscosity")
-
-    def test_the_pressure_that_closes(self):
-        done = self.solve(*self.surface, "--closing-pressure", "y")
-        found = re.fullmatch(
-            r"the gap closes along y between (\S+) MPa \(proven open, lowest gap on the best path \S+ .?m\) and (\S+) MPa \(proven closed, \S+ % in contact\)\n",
-            done.stdout,
-        )
-        lower, upper = map(float, found.groups())
-        self.assertTrue(0 < lower < upper < 1.011 * lower)
-        _, summary = self.steps("--pressure", "%gMPa,%gMPa" % (0.99 * lower, 1.01 * upper), "--leak", FLUID + ",along=y")
-        self.assertTrue(summary["steps"][0]["leak_lower"] > 0 == summary["steps"][1]["leak_upper"])
-        self.assertEqual(["y" in step["gap_crosses"] for step in summary["steps"]], [True, False])
 
     def test_what_cannot_be_is_refused(self):
         solve = ["solve", *self.surface]

@@ -9,7 +9,6 @@ import socket
 import stat
 import subprocess
 import threading
-import unittest
 
 import harness
 from harness import CommandTest, np, rough

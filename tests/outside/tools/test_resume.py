@@ -47,7 +47,7 @@ class Resume(CommandTest):
 
     def test_a_longer_history_goes_on(self):
         methods = {"auto": [], "nnls": ["--solver", "nnls", "--backend", "dense"], "pk": ["--solver", "polonsky-keer", "--backend", "fft"]}
-        for control, targets in (("--approach", ["5e-8", "1e-7", "2e-7", "1.9e-7", "3e-8", "2.5e-7"]), ("--pressure", ["1e5", "2e5", "1e6", "9e5", "1e4"])):
+        for control, targets in (("--approach", ["5e-8", "1e-7", "2e-7", "1.9e-7", "3e-8", "2.5e-7"]), ("--pressure", ["1e5", "2e5", "1e6", "9e5", "1e4"]), ("--area", ["5%", "20%", "10%"])):
             for name, arguments in methods.items():
                 whole, cut = (self.folder / (name + control + which) for which in ("-whole", "-cut"))
                 self.press(",".join(targets), whole, "--quiet", *arguments, control=control)

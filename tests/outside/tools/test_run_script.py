@@ -82,13 +82,6 @@ class RunScript(CommandTest):
             self.assertIn("./run.sh [SURFACE] [OPTIONS", self.asked(*arguments))
         self.assertFalse((self.folder / "built").exists())
 
-    def test_what_is_built_costs_next_to_nothing(self):
-        self.asked("s.x3p")
-        before = os.times()
-        self.asked("s.x3p")
-        after = os.times()
-        self.assertLess(after.children_user + after.children_system - before.children_user - before.children_system, 0.3)
-
     def test_a_page_if_it_is_asked_for(self):
         self.assertIn("the same with --page", self.asked("s.x3p", "--modulus", "210GPa"))
         done = subprocess.run(["./run.sh", "s.x3p", "--page"], cwd=self.folder, env=self.environment(), capture_output=True, text=True, timeout=60)

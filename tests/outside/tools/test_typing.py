@@ -1,5 +1,4 @@
 """Typing: suggestions for words that are nearly right, completion in the shells, and the threads that nobody typed."""
-import json
 import os
 import shutil
 import subprocess
@@ -7,7 +6,7 @@ import unittest
 from pathlib import Path
 
 import harness
-from harness import CommandTest, np, paraboloid, rough, without_gnuplot
+from harness import CommandTest, paraboloid, rough
 
 SCRIPTS = Path(__file__).resolve().parents[3] / "tools" / "completions"
 GOOD = ["--pitch", "1e-6", "--modulus", "1e9", "--approach", "1e-8"]
@@ -96,20 +95,6 @@ class Completion(CommandTest):
 
 
 class Threads(CommandTest):
-    def result(self, *arguments, **settings):
-        self.solve(self.npy(rough(96, 128)), "--pitch", "1e-6", "--modulus", "1e9", "--approach", "1e-7,3e-7", "--out", "out", "--quiet", *arguments, **settings)
-        summary = json.loads((self.folder / "out/summary.json").read_text())
-        for step in summary["steps"]:
-            del step["seconds"], step["setup_seconds"]
-        return summary["steps"], [np.load(self.folder / "out" / ("pressure-%d.npy" % k)) for k in (1, 2)], summary["input"]["options"]
-
-    def test_same_bits(self):
-        all_cores = self.result(env=without_gnuplot())
-        self.assertNotIn("threads", all_cores[2])
-        for arguments, environment in ((["--threads", "1"], {}), (["--threads", "3"], {}), (["--set", "threads=2"], {}), ([], {"OMP_THREAD_LIMIT": "1"})):
-            steps, pressures, _ = self.result(*arguments, env=dict(without_gnuplot(), **environment))
-            self.assertEqual(steps, all_cores[0])
-            np.testing.assert_array_equal(pressures, all_cores[1])
 
     def threads_of(self, *arguments, **settings):
         """Threads that the running command has."""
