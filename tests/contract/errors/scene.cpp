@@ -38,23 +38,6 @@ Scene::Scene() : gap(points) {
   step.undeformed_gap.data = gap.data();
 }
 
-Scene periodic_scene() {
-  Scene scene;
-  scene.system.boundary = RC_BOUNDARY_PERIODIC;
-  return scene;
-}
-
-Scene dense_scene() {
-  Scene scene;
-  scene.system.op = RC_OPERATOR_DENSE;
-  scene.system.nx = scene.system.ny = 2;
-  scene.dense.assign(16, 0.1);
-  for (std::size_t i = 0; i < 4; ++i) scene.dense[5 * i] = 1.1;
-  scene.system.dense = scene.dense.data();
-  scene.system.dense_ld = 4;
-  return scene;
-}
-
 Scene callback_scene(std::int32_t (*apply)(const double*, double*, std::int64_t, void*), void* user) {
   Scene scene;
   scene.system.op = RC_OPERATOR_CALLBACK;

@@ -1,7 +1,6 @@
 #include <thread>
 
-#include "case.h"
-#include "scene.h"
+#include "calls.h"
 
 namespace errors {
 
@@ -81,16 +80,6 @@ Outcome cancelled_once() {
   rc_contact_cancel(contact.get());
   assert_int_equal(solve(contact.get(), scene), RC_STOP_CANCELLED);
   return solve(contact.get(), scene);
-}
-
-Outcome too_few_iterations() {
-  const Scene scene;
-  return solve(scene, options_with({{"solver", "polonsky-keer"}, {"max_iter", "1"}}).get());
-}
-
-Outcome too_little_time() {
-  const Scene scene;
-  return solve(scene, options_with({{"solver", "polonsky-keer"}, {"time_limit", "1e-300"}}).get());
 }
 
 // The gap of a step that was refused is not remembered.
@@ -190,91 +179,138 @@ Outcome shared_and_cancelled() {
   return outcome;
 }
 
-template <class Call> auto on_shared(const Call& call) {
-  return [call] {
-    const Scene scene;
-    const ContactHandle contact = shared(scene);
-    return Outcome(call(contact.get()));
-  };
+Outcome nan_under_the_mask() {
+  Scene scene;
+  std::vector<std::uint8_t> mask(points, 1);
+  mask[2] = 0;
+  scene.gap[2] = nan;
+  scene.step.mask.data = mask.data();
+  const Outcome outcome = solve(scene);
+  assert_true(answer().p()[2] == 0 && answer().result()->load > 0);
+  return outcome;
+}
+
+Outcome mask_lifted_over_nan() {
+  Scene scene;
+  std::vector<std::uint8_t> mask(points, 1);
+  mask[2] = 0;
+  scene.gap[2] = nan;
+  scene.step.mask.data = mask.data();
+  const ContactHandle contact = made(scene);
+  assert_int_equal(solve(contact.get(), scene), RC_OK);
+  answer().prepare();
+  mask[2] = 1;
+  scene.step.undeformed_gap.data = nullptr;
+  return solve(contact.get(), scene);
+}
+
+// A number without a fraction is an integer, whatever function sets it.
+Outcome whole_number_set() {
+  const OptionsHandle options = options_with({});
+  const Outcome outcome = rc_options_set_number(options.get(), "max_iter", 7);
+  double most = 0;
+  assert_int_equal(rc_options_get_number(options.get(), "max_iter", &most), RC_OK);
+  assert_true(most == 7);
+  return outcome;
+}
+
+// Options that cannot be used leave those in force as they were.
+Outcome solves_after_refused_options() {
+  const Scene scene;
+  const ContactHandle contact = made(scene, options_with({{"solver", "nnls"}}).get());
+  assert_int_equal(rc_contact_set_options(contact.get(), options_with({{"solver", "no-such"}}).get()), RC_ERR_NO_SOLVER);
+  const Outcome outcome = solve(contact.get(), scene);
+  assert_string_equal(answer().result()->solver, "nnls");
+  return outcome;
+}
+
+// The copy is as the options were, and neither changes with the other.
+Outcome copied() {
+  const OptionsHandle options = options_with({{"tol", "1e-7"}, {"solver", "nnls"}, {"threads", "3"}});
+  rc_options* copy = nullptr;
+  const Outcome outcome = rc_options_copy(options.get(), &copy);
+  const OptionsHandle keep(copy);
+  assert_int_equal(rc_options_set_number(options.get(), "tol", 1e-5), RC_OK);
+  assert_int_equal(rc_options_set_number(copy, "threads", 2), RC_OK);
+  double tol = 0;
+  double threads = 0;
+  const char* solver = nullptr;
+  assert_int_equal(rc_options_get_number(copy, "tol", &tol), RC_OK);
+  assert_int_equal(rc_options_get_text(copy, "solver", &solver), RC_OK);
+  assert_int_equal(rc_options_get_number(options.get(), "threads", &threads), RC_OK);
+  assert_true(tol == 1e-7 && threads == 3);
+  assert_string_equal(solver, "nnls");
+  return outcome;
+}
+
+Outcome options_of_another_context() {
+  const Scene scene;
+  const ContactHandle contact = made(scene);
+  rc_context* context = nullptr;
+  assert_int_equal(rc_context_create(0, nullptr, nullptr, nullptr, &context), RC_OK);
+  const ContextHandle keep(context);
+  rc_options* options = nullptr;
+  assert_int_equal(rc_options_create(context, &options), RC_OK);
+  const OptionsHandle keep_options(options);
+  return rc_contact_set_options(contact.get(), options);
+}
+
+// The operator is there already, and bound to the same points.
+Outcome tightened_later() {
+  const Scene scene;
+  const auto with = [](const char* tol) { return options_with({{"backend", "fft"}, {"fft.precision", "single"}, {"tol", tol}}); };
+  const ContactHandle contact = made(scene, with("1e-4").get());
+  assert_int_equal(solve(contact.get(), scene), RC_OK);
+  assert_int_equal(rc_contact_set_options(contact.get(), with("5e-6").get()), RC_OK);
+  answer().prepare();
+  return solve(contact.get(), scene);
+}
+
+// After a failed product the same contact solves as if nothing had happened.
+Outcome recovers_after_failure() {
+  World world;
+  world.set("callback=diagonal");
+  world.memory.fails_at = 3;
+  const ContactHandle contact = made(world.scene);
+  assert_int_equal(solve(contact.get(), world.scene), RC_ERR_EXTERNAL);
+  assert_true(answer().untouched());
+  world.memory.fails_at = 0;
+  return solve(contact.get(), world.scene);
 }
 
 }  // namespace
 
-Section order_of_calls() {
-  const char* const busy = "the contact is in use by another thread; make one contact per thread";
-  return {"Order of calls",
-          {
-              {"contact used by a second thread", RC_ERR_BUSY, {"rc_contact_solve: ", busy}, used_by_two_threads},
-              {"progress callback solves on the same contact",
-               RC_ERR_BUSY,
-               {"rc_contact_solve: ", busy},
-               [] { return from_progress([](rc_contact* c) { return solve(c, Scene()); }); }},
-              {"progress callback changes the options",
-               RC_ERR_BUSY,
-               {"rc_contact_set_options: ", busy},
-               [] { return from_progress([](rc_contact* c) { return rc_contact_set_options(c, options_with({}).get()); }); }},
-              {"progress callback resets the contact",
-               RC_ERR_BUSY,
-               {"rc_contact_reset: ", busy},
-               [] { return from_progress([](rc_contact* c) { return rc_contact_reset(c); }); }},
-              {"progress callback replaces itself",
-               RC_ERR_BUSY,
-               {"rc_contact_on_progress: ", busy},
-               [] { return from_progress([](rc_contact* c) { return rc_contact_on_progress(c, nullptr, nullptr, 1); }); }},
-              {"progress every 0 iterations",
-               RC_ERR_ARGUMENT,
-               {"rc_contact_on_progress: every = 0 must be >= 1"},
-               [] { return rc_contact_on_progress(made(Scene()).get(), nullptr, nullptr, 0); }},
-              {"progress callback asks to stop",
-               RC_STOP_CANCELLED,
-               {"rc_contact_solve: stopped by the progress callback, rc_contact_cancel or rc_stop_when"},
-               stopped_by_progress},
-              {"cancelled before the solve",
-               RC_STOP_CANCELLED,
-               {"rc_contact_solve: stopped by the progress callback, rc_contact_cancel or rc_stop_when"},
-               cancelled_before},
-              {"the solve after a cancelled one", RC_OK, {}, cancelled_once},
-              {"max_iter = 1",
-               RC_STOP_MAX_ITER,
-               {"rc_solve: stopped at max_iter before the tolerance was reached: ", "after 1 iterations"},
-               too_few_iterations},
-              {"time_limit = 1e-300",
-               RC_STOP_TIME,
-               {"rc_solve: stopped at time_limit before the tolerance was reached"},
-               too_little_time},
-              {"grid of an answer", RC_OK, {}, grid_of_an_answer},
-              {"cancelled contact that ranks share", RC_STOP_CANCELLED, {"rc_contact_solve: "}, shared_and_cancelled},
-              {"reset of a contact that ranks share",
-               RC_ERR_INCOMPATIBLE,
-               {"rc_contact_reset: ranks share the contact: it has rc_contact_solve, rc_contact_solve_history and "
-                "rc_contact_certify"},
-               on_shared([](rc_contact* contact) { return rc_contact_reset(contact); })},
-              {"counts of a contact that no ranks share",
-               RC_ERR_INCOMPATIBLE,
-               {"rc_ranks_contact_counts: no ranks share the contact: rc_contact_create has made it"},
-               [] {
-                 rc_ranks_counts counts = RC_RANKS_COUNTS_INIT;
-                 return rc_ranks_contact_counts(made(Scene()).get(), &counts);
-               }},
-              {"rows between ranks whose exchange is refused",
-               RC_ERR_ARGUMENT,
-               {"rc_ranks_rows: no network"},
-               [] {
-                 const Scene scene;
-                 rc_exchange exchange = RC_EXCHANGE_INIT;
-                 exchange.refused = "no network";
-                 std::int64_t first = 0, count = 0;
-                 return rc_ranks_rows(&exchange, &scene.system, &first, &count);
-               }},
-              {"step without a gap after a refused step", RC_OK, {}, refused_step_forgotten},
-              {"step without a gap after a reset",
-               RC_ERR_ARGUMENT,
-               {"rc_step.undeformed_gap.data is null and no earlier step gave one"},
-               after_reset},
-              {"result.p over step.p0, result.gap over step.undeformed_gap", RC_OK, {}, result_over_its_input},
-              {"context destroyed before its options and contacts", RC_OK, {}, context_destroyed_first},
-              {"contact that a static destructor uses", RC_OK, {}, used_by_a_static_destructor},
-          }};
+Calls contact_calls() {
+  Calls all = {
+      {"progress_solves", [](World&) { return from_progress([](rc_contact* c) { return solve(c, Scene()); }); }},
+      {"progress_sets_options",
+       [](World&) { return from_progress([](rc_contact* c) { return rc_contact_set_options(c, options_with({}).get()); }); }},
+      {"progress_resets", [](World&) { return from_progress([](rc_contact* c) { return rc_contact_reset(c); }); }},
+      {"progress_replaces_itself",
+       [](World&) { return from_progress([](rc_contact* c) { return rc_contact_on_progress(c, nullptr, nullptr, 1); }); }},
+      {"progress_every_0", [](World& w) { return rc_contact_on_progress(made(w.scene).get(), nullptr, nullptr, 0); }},
+      {"reset_shared", [](World& w) { return rc_contact_reset(shared(w.scene).get()); }},
+      {"ranks_counts",
+       [](World& w) {
+         rc_ranks_counts counts = RC_RANKS_COUNTS_INIT;
+         return rc_ranks_contact_counts(made(w.scene).get(), &counts);
+       }},
+      {"ranks_rows",
+       [](World& w) {
+         rc_exchange exchange = RC_EXCHANGE_INIT;
+         exchange.refused = "no network";
+         std::int64_t first = 0, count = 0;
+         return rc_ranks_rows(&exchange, &w.scene.system, &first, &count);
+       }},
+  };
+#define CALL(name) all[#name] = [](World&) { return name(); }
+  CALL(used_by_two_threads), CALL(stopped_by_progress), CALL(cancelled_before), CALL(cancelled_once), CALL(grid_of_an_answer);
+  CALL(shared_and_cancelled), CALL(refused_step_forgotten), CALL(after_reset), CALL(result_over_its_input);
+  CALL(context_destroyed_first), CALL(used_by_a_static_destructor), CALL(nan_under_the_mask), CALL(mask_lifted_over_nan);
+  CALL(whole_number_set), CALL(solves_after_refused_options), CALL(copied), CALL(options_of_another_context);
+  CALL(tightened_later), CALL(recovers_after_failure);
+#undef CALL
+  return all;
 }
 
 }  // namespace errors
