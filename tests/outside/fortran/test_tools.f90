@@ -60,17 +60,8 @@ contains
     call rcf_direct(rc_nnls, H, u, p, w, result=result)
     call check('nnls', maxval(abs(p - expected)) < 1e-12 .and. abs(w(2) - 0.6) < 1e-6 .and. result%contacts == 2)
     p = 0
-    call rcf_direct(rc_greedy, H, u, p)
-    call check('greedy', maxval(abs(p - expected)) < 1e-7)
-    p = 0
-    call rcf_direct(rc_polonsky_keer, H, u, p)
-    call check('polonsky_keer', maxval(abs(p - expected)) < 1e-7)
-    p = 0
     call rcf_direct(rc_gp, H, u, p, tol=1e-10_c_double)
     call check('gp', maxval(abs(p - expected)) < 1e-9)
-    p = 0
-    call rcf_direct(rc_admm, H, u, p)
-    call check('admm', maxval(abs(p - expected)) < 1e-7)
     p = 0
     w = 0
     call rcf_direct(rc_nnls, H, u, w)
@@ -88,8 +79,6 @@ contains
     call check('cmr', result%load > 0 .and. count(pressure > 0) == result%contacts)
     call rcf_cmr(z, 1.0_c_double, 1.0_c_double, 1.0_c_double, 0.5_c_double, 2, again, radius=rcf_option_default('cmr.radius'))
     call check('an absent radius is that of the option', all(again == pressure))
-    call rcf_cmr(z, 1.0_c_double, 1.0_c_double, 1.0_c_double, 0.5_c_double, 2, pressure, inner='nnls', stat=stat)
-    call check('cmr around nnls', stat == RC_OK)
   end subroutine
 
   subroutine analysis()

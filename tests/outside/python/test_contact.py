@@ -206,24 +206,6 @@ def test_a_refused_step_keeps_the_mask(rough):
         assert np.array_equal(contact.solve(approach=5e-8).grid.mask, mask)
 
 
-def test_restored_contact_goes_on_with_the_same_bits(rough):
-    half_space = rc.HalfSpace.under(rough, modulus=1e9)
-    mask = rough.heights < 2e-7
-    targets = [4e-8, 8e-8, 8.2e-8, 0.0, 1e-7, 5e-8]
-    with rc.Contact(half_space, options={"resumable": 1}) as contact:
-        first = contact.solve(rough, mask=mask, approach=targets[0])
-        whole = [first] + [contact.solve(approach=each) for each in targets[1:]]
-    steps = [(each.pressure, each.approach, each.load) for each in whole]
-    for cut in range(1, len(targets)):
-        with rc.Contact(half_space, options={"resumable": 1}) as contact:
-            contact.restore(rough, mask=mask, last=steps[cut - 1], before=steps[cut - 2] if cut > 1 else None)
-            assert np.array_equal(contact.grid().mask, mask)
-            for target, expected in zip(targets[cut:], whole[cut:]):
-                answer = contact.solve(approach=target)
-                assert np.array_equal(answer.pressure, expected.pressure)
-                assert (answer.load, answer.products) == (expected.load, expected.products)
-
-
 def test_restore_refuses_what_no_step_gives(rough):
     pressure = np.zeros(rough.heights.shape)
     with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9)) as contact:

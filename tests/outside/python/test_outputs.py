@@ -1,12 +1,10 @@
-"""Every function that writes a file, on everything that a name can be of; and names of files that are not text."""
+"""Every function that writes a file does so by rc_file_write, whose files tests/outside/tools/test_outputs.py looks at; names of files
+that are not text."""
 
 import ast
 import inspect
 import os
 import pathlib
-import stat
-import subprocess
-import sys
 import warnings
 
 import numpy as np
@@ -15,10 +13,7 @@ import pytest
 import roughcontact as rc
 from conftest import refused
 from roughcontact import _paths
-from roughcontact.report import command, page
 
-READS = {"read", "load", "Law.load"}  # public functions of a path or file that write none
-NOBODY = 65534
 ODD = os.fsdecode(b"m\xfcll \xff'")  # bytes that are not text
 
 
@@ -47,21 +42,6 @@ def doors(rough_surface):
     }
 
 
-def state(folder):
-    def of(path):
-        kind = path.lstat().st_mode
-        return kind, os.readlink(path) if stat.S_ISLNK(kind) else path.read_bytes() if stat.S_ISREG(kind) else b""
-
-    return {path.name: of(path) for path in folder.iterdir()}
-
-
-def each(doors, tmp_path):
-    for (name, suffix), write in doors.items():
-        folder = tmp_path / f"{name}{suffix}"
-        folder.mkdir()
-        yield write, folder / ("a" + suffix)
-
-
 def test_every_public_function_of_a_path_has_a_row(doors):
     found = set()
     for name, thing in vars(rc).items():
@@ -72,7 +52,7 @@ def test_every_public_function_of_a_path_has_a_row(doors):
             if (inspect.isfunction(value) or inspect.ismethod(value)) and not name.startswith("_"):
                 if {"path", "file", "out", "filename"} & set(inspect.signature(value).parameters):
                     found.add(full)
-    assert found == READS | {name for name, _ in doors} - {"raw"}
+    assert found == {"read", "load", "Law.load"} | {name for name, _ in doors} - {"raw"}
 
 
 def test_no_module_opens_a_file_to_write():
@@ -94,35 +74,6 @@ def test_no_module_opens_a_file_to_write():
                 "to_netcdf",
                 "tofile",
             ), f"{file}:{call.lineno}"
-
-
-def test_new_and_old_files(doors, tmp_path):
-    for write, path in each(doors, tmp_path):
-        write(path)
-        new, mode = path.read_bytes(), os.umask(0o022)
-        os.umask(mode)
-        assert len(new) > 10 and stat.S_IMODE(path.stat().st_mode) == 0o666 & ~mode
-        path.write_text("old")
-        path.chmod(0o640)
-        write(str(path))
-        assert len(path.read_bytes()) == len(new) and stat.S_IMODE(path.stat().st_mode) == 0o640
-        write(os.fsencode(path))
-        assert list(state(path.parent)) == [path.name]
-
-
-def test_a_limit_of_file_sizes_ends_no_host(tmp_path):
-    (tmp_path / "a.npy").write_text("old")
-    script = """if 1:
-        import resource, signal, roughcontact as rc
-        resource.setrlimit(resource.RLIMIT_FSIZE, (64, 64))
-        signal.signal(signal.SIGXFSZ, signal.SIG_DFL)
-        try:
-            rc.Surface([[1.0, 2.0]] * 99, 1.0).save('a.npy')
-        except OSError as error:
-            print(error)"""
-    done = subprocess.run([sys.executable, "-c", script], cwd=tmp_path, capture_output=True, text=True)
-    assert done.returncode == 0 and "File too large" in done.stdout, done.stderr
-    assert list(state(tmp_path)) == ["a.npy"] and (tmp_path / "a.npy").read_text() == "old"
 
 
 def test_exceptions_are_pythons(tmp_path, rough_surface):
@@ -170,36 +121,6 @@ def test_names_that_are_not_text(doors, tmp_path, rough_surface):
     for folders in (str(tmp_path / ODD), tmp_path / ODD, os.fsencode(tmp_path / ODD), [str(tmp_path / ODD), tmp_path]):
         rc.Context(folders)
     refused(rc.ArgumentError, "NUL", rc.Law.load, "a\0b")
-
-
-def test_the_page_of_a_report(tmp_path, rough_surface, monkeypatch, capsys):
-    """Its writing; what is on it needs more packages."""
-    monkeypatch.setattr(command, "missing_packages", lambda: ())
-    monkeypatch.setattr(
-        command, "page", lambda content: f"<p>{page.shown(content.input['file'])} {page.shown(content.command)}</p>"
-    )
-    file = str(tmp_path / (ODD + ".gsf"))
-    rough_surface.save(file)
-    asked = ["report", file, "--modulus", "1GPa", "--boundary", "periodic", "--load", "1uN", "--out"]
-    (tmp_path / "link").symlink_to(ODD + ".html")
-    assert command.main([*asked, str(tmp_path / "link")]) == 0
-    assert (tmp_path / "link").is_symlink() and "m\ufffdll" in (tmp_path / (ODD + ".html")).read_text("utf-8")
-    assert command.main([*asked, str(tmp_path / (ODD + ".html"))]) == 0
-    before = state(tmp_path)
-    (tmp_path / "full").symlink_to("/dev/full")
-    os.mkfifo(tmp_path / "pipe")
-    for out, words in (
-        (file, "name the page"),
-        ("full", "No space left"),
-        ("pipe", "nobody reads"),
-        ("absent/a", "does not exist"),
-    ):
-        capsys.readouterr()
-        assert command.main([*asked, str(tmp_path / out)]) == 1
-        assert words in capsys.readouterr().err
-    (tmp_path / "full").unlink()
-    (tmp_path / "pipe").unlink()
-    assert state(tmp_path) == before
 
 
 @pytest.mark.parametrize("offset", [0.0, 1e-3, 1.0, -6371e3])

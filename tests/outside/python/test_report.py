@@ -1,6 +1,5 @@
 """What a report tells, without the packages that make a page of it."""
 
-import dataclasses
 import datetime
 import math
 import pathlib
@@ -177,14 +176,6 @@ def test_intervals_have_a_half_width(file):
     assert wording.proof_rows(content)[-1][3] == f"{with_prefix(middle, 'N', 6)} ± {with_prefix(half, 'N', 2)}"
     assert "load, proven" in wording.PROOF_HEAD and "area, proven" in wording.PROOF_HEAD
     assert wording._interval(np.nan, 1.0, "N") == "not known" and wording._interval(1.0, 2.0, "%") == "1.5 % ± 0.5 %"
-
-
-def test_what_analyze_remarks(file):
-    content = collected(file, "--pressure", "20MPa")
-    assert content.law is not None and not any("self-affine" in doubt for doubt in wording.doubts(content))
-    steep = dataclasses.replace(content, law=dataclasses.replace(content.law, hurst=1.41, hurst_error=0.05))
-    assert any("1.41" in doubt and "not self-affine" in doubt for doubt in wording.doubts(steep))
-    assert dict(wording.surface_rows(steep))["Hurst exponent"] == "1.41 ± 0.05, not self-affine"
 
 
 def test_theory_only_where_it_holds(file):

@@ -50,20 +50,6 @@ def test_a_part_has_the_cells_whose_middles_are_inside(rough):
     refused(rc.ArgumentError, "is not a number", rough.cropped, (np.nan, 3.1))
 
 
-def test_whole_pitches_shift_without_a_change(rough):
-    z = rough.heights
-    assert rough.periodic
-    for method in ("linear", "cubic"):
-        assert np.array_equal(rough.shifted(1.5, -1.0, method=method).heights, np.roll(z, (-2, 3), (0, 1)))
-        free = rc.Surface(z, 0.5, periodic=False).shifted(1.5, -1.0, method=method)
-        expected = np.full_like(z, np.nan)
-        expected[:-2, 3:] = z[2:, :-3]
-        assert np.array_equal(free.heights, expected, equal_nan=True)
-        assert free.remarks == (f"shifted by 1.5, -1: {2 * 56 + 3 * 38} points missing",)
-    far = rough.shifted(28.0 * 7, 20.0 * 3)
-    assert np.allclose(far.heights, z, rtol=0, atol=1e-6 * np.std(z))
-
-
 def along_one_axis(z, places, method, periodic):
     """Values of z [n] at places, in pitches: formulas of Keys (1981), equations 15 and 19."""
     n = len(z)
@@ -129,9 +115,3 @@ def test_a_map_on_the_grid_of_another_can_be_added(rough):
     refused(rc.ArgumentError, "interpolation would skip summits", rough.resampled, 0.76)
     refused(rc.ArgumentError, "method is 'spline': linear, cubic", rough.resampled, 0.3, method="spline")
     refused(rc.ArgumentError, "one surface is in 'um', the other says no unit", rough.resampled, with_units)
-
-
-def test_rows_of_points(rough):
-    row = rc.Surface(rough.heights[7], (0.5, 1.0), periodic=True)
-    assert np.array_equal(row.shifted(1.0).heights, np.roll(rough.heights[7], 2))
-    assert row.resampled(0.25).shape == (112,)

@@ -3,7 +3,9 @@ import json
 import os
 import pty
 import re
+import shlex
 import subprocess
+from pathlib import Path
 
 import harness
 from harness import CommandTest, gsf, np, paraboloid, rough, without_gnuplot
@@ -157,42 +159,30 @@ class Output(CommandTest):
 
 
 class WrongInput(CommandTest):
-    GOOD = {"--pitch": "1e-6", "--modulus": "1e9", "--approach": "1e-8"}
-
-    # What replaces or joins the good arguments (None: left out), and the words of the message.
-    TABLE = [
-        ({"--tol": "0"}, ["tol"]),
-        ({"--tol": "small"}, ["tol", "small"]),
-        ({"--threads": "0"}, ["threads"]),
-        ({"--set": "toll=1e-8"}, ["toll", "tol"]),
-        ({"--set": "tol"}, ["--set", "key=value"]),
-        ({"--set": "max_iter=-1"}, ["max_iter"]),
-        ({"--nonsense": "1"}, ["--nonsense"]),
-        ({"--boundary": "periodic", "--approach": "1"}, []),  # beyond the mean plane
-        ({"--boundary": "periodic", "--kernel": "love"}, []),
-    ]
-
-    def test_table(self):
-        self.npy(paraboloid(24))
-        for changes, says in self.TABLE:
-            with self.subTest(changes):
-                chosen = {name: value for name, value in {**self.GOOD, **changes}.items() if value is not None}
-                arguments = [word for pair in chosen.items() for word in pair]
-                self.assert_fails("solve", "surface.npy", *arguments, "--out", "out/deep", says=says)
-
-    def test_usage(self):
-        for arguments, says in (([], "no command"), (["nonsense"], "nonsense"), (["solve"], "SURFACE"), (["solve", "a", "b"], "b"),
-                                (["solve", "s.npy", "--modulus"], "roughcontact: --modulus has no value, expected E*; see roughcontact solve --help"),
-                                (["solve", "s.npy", "--tol", "1", "--tol", "2"], "roughcontact: --tol is given twice; see roughcontact solve --help"),
-                                (["solve", "s.npy", "--load", "1", "--load=2", "--load", "3"], "roughcontact: --load is given 3 times, give several steps as a,b,c; see")):
-            with self.subTest(arguments):
-                self.assert_fails(*arguments, says=says)
+    def test_refusals(self):
+        """Every line of refusals.txt."""
+        self.npy(paraboloid(24)), self.npy(rough(16, 16), "rough.npy")
+        (self.folder / "folder").mkdir()
+        begins, count = {}, 0
+        for line in (Path(__file__).resolve().parents[1] / "refusals.txt").read_text("utf-8").splitlines():
+            name, equals, text = line.partition(" = ")
+            if equals and name.isupper():
+                begins[name] = text
+            elif not line.startswith("#"):
+                words, _, says = line.partition(" => ")
+                for _ in begins:
+                    first, _, rest = words.partition(" ")
+                    words = (begins.get(first, first) + " " + rest).strip()
+                with self.subTest(line):
+                    self.assert_fails(*shlex.split(words), says=says.split(" | "))
+                count += 1
+        self.assertGreater(count, 80)
 
     def test_out_is_a_file(self):
         self.npy(paraboloid(24))
         self.file("taken", "text")
         for out in ("taken", "taken/deeper"):
-            self.assert_fails("solve", "surface.npy", *[w for pair in self.GOOD.items() for w in pair], "--out", out, says="--out")
+            self.assert_fails("solve", "surface.npy", "--pitch", "1e-6", "--modulus", "1e9", "--approach", "1e-8", "--out", out, says="--out")
 
     def test_message_stays_one_line(self):
         self.assert_fails("solve", "no\nsuch\x1b[31mfile.npy", "--modulus", "1", "--load", "1", says="no?such?[31mfile.npy")

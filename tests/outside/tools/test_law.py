@@ -39,6 +39,7 @@ class Laws(CommandTest):
         self.assertEqual((self.folder / "a.law").read_bytes(), (self.folder / "b.law").read_bytes())
         os.rename(self.folder / "a.law", self.folder / "steel")  # known by its contents
         self.law("steel", "--at", "1nm")
+        self.assert_fails("law", "steel", "--pressure", "1MPa..2MPa", says='--pressure is about making a law, and "steel" is one already')
 
     def test_a_conductance_that_is_not_within_its_tolerance_is_told(self):
         """Where points touch the slope jumps, and no number of nodes narrows that; the exit status counts the pressures."""
@@ -113,34 +114,6 @@ class Laws(CommandTest):
             process.send_signal(signal.SIGINT)
             self.assertEqual(process.wait(60), -signal.SIGINT)
         self.assertEqual(self.names(), ["surface.npy"])
-
-
-class Refusals(CommandTest):
-    def test_wrong_arguments(self):
-        name = self.npy(rough(16, 16))
-        law = ["law", name, "--pitch", "1um", "--modulus", "1GPa", "--boundary", "periodic"]
-        pressed = [*law, "--pressure", "1kPa..1MPa"]
-        (self.folder / "folder").mkdir()
-        for arguments, says in (
-                (law, "--pressure is missing, give the range of the law as 1MPa..500MPa"),
-                ([*law, "--pressure", "1MPa"], '--pressure: "1MPa" is not a range'),
-                ([*law, "--pressure", "2MPa..1MPa"], "is not a range that rises"),
-                ([*law, "--pressure", "0Pa..1MPa"], "is not a range that rises from a pressure above 0"),
-                ([*law, "--pressure", "1kPa..1TPa"], "--pressure: at p = "),
-                ([*pressed, "--tolerance", "20%"], '--tolerance: "20%" must be 0.0001 % .. 10 %'),
-                ([*pressed, "--tolerance", "1e-9"], "--tolerance"), ([*pressed, "--conductance-tolerance", "0"], "0.01 % .. 100 %"),
-                ([*pressed, "--bulk", "men"], 'did you mean "mean"?'), ([*pressed, "--bulk", "mean"], "--bulk: mean is for --boundary free"),
-                ([*pressed, "--bulk", "-3"], "is not a positive stiffness in N/m"), ([*pressed, "--max-nodes", "2"], "--max-nodes"),
-                ([*pressed, "--export", "a.csv"], '--export: "a.csv" has not the form FORMAT=FILE'),
-                ([*pressed, "--export", "ansys=a"], '--export: "ansys" is not known'), ([*pressed, "--rows", 20], "--rows is about the tables of --export"),
-                ([*pressed, "--export", "calculix=a", "--rows", 500], "from 5 to 200"), ([*pressed, "--export", "csv=a", "--beyond", "0.5"], "--beyond"),
-                ([*pressed, "--export", "csv=a", "--conductivity", "0"], "--conductivity"), ([*pressed, "--export", "csv=a", "--deck-units", "mm"], "mm,N"),
-                ([*pressed, "--at", "3N"], "--at"), ([*pressed, "--law-units", "um,N"], "--law-units is for a law that is read"),
-                ([*pressed, "-o", "nowhere/a.law"], "its folder is missing"), ([*pressed, "-o", "folder"], "it is a folder"),
-                ([*pressed, "-o", name], "is read or written as another file as well"), ([*pressed, "-o", "a", "--json", "./a"], "as another file"),
-                (["law", "absent.law"], "absent.law"), (["law", "absent.npy", *law[2:], "--pressure", "1kPa..1MPa"], "absent.npy")):
-            with self.subTest(arguments):
-                self.assert_fails(*arguments, says=says)
 
 
 if __name__ == "__main__":

@@ -50,11 +50,6 @@ class Leaks(CommandTest):
         arguments[arguments.index(FLUID)] = "viscosity=2mPas,drop=1bar"
         self.assert_fails("solve", *arguments, "--pressure", "1MPa,2MPa", "--resume", says="viscosity")
 
-    def test_what_cannot_be_is_refused(self):
-        solve = ["solve", *self.surface]
-        self.assert_fails(*solve, "--closing-pressure", "y", "--out", "out", says="--closing-pressure has no steps")
-        self.assert_fails("law", *self.surface, "--pressure", "1MPa..2MPa", "--leak", FLUID, says="has no option")
-
 
 if __name__ == "__main__":
     main()

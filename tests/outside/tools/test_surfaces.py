@@ -78,35 +78,6 @@ class Generate(CommandTest):
             done = self.run_command("analyze", "s.gsf")
             self.assertEqual(done.returncode, 0, done.stderr)
 
-    def test_wrong_arguments(self):
-        out = ["--output", "s.npy"]
-        for arguments, says in (
-            (["rmd", "--output", "s.txt"], ("--output", ".npy or .gsf")),
-            (["rmd", "--output", "none/s.npy"], ("cannot write", "none/s.npy")),
-            (["rmd", *out, "--levels", "20"], "--levels"),
-            (["rmd", *out, "--levels", "4", "--stage", "5"], "--stage"),
-            (["rmd", *out, "--hurst", "1.5"], "hurst = 1.5"),
-            (["rmd", *out, "--hurst", "much"], ("--hurst", "not a number")),
-            (["rmd", *out, "--seed", "-1"], "--seed"),
-            (["rmd", *out, "--size", "10"], "--size"),
-            (["spectral", *out, "--size", "0"], "--size"),
-            (["spectral", *out, "--size", "1000000000"], "--size"),
-            (["spectral", *out, "--size", "1,2,3"], "--size"),
-            (["spectral", *out, "--rms-height", "1", "--rms-slope", "1"], "only one"),
-            (["spectral", *out, "--longest", "2", "--shortest", "5"], "q_low"),
-            (["spectral", *out, "--pitch", "-1"], ("--pitch", "not positive")),
-            (["spectral", *out, "--unit", "inch"], "--unit"),
-            (["sphere", *out], "--radius is missing"),
-            (["sphere", *out, "--radius", "1MPa"], ("--radius", "is a pressure", "expected a length")),
-            (["waves", *out], "--period is missing"),
-            (["waves", *out, "--period", "0"], "both 0"),
-            (["pyramids", *out, "--period", "-2"], "negative"),
-            (["spectral"], "--output"),
-            ([], "subcommand"),
-        ):
-            with self.subTest(arguments):
-                self.assert_fails("generate", *arguments, says=says)
-
 
 class Analyze(CommandTest):
     def analyze(self, *arguments, **settings):

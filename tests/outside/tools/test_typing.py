@@ -1,4 +1,4 @@
-"""Typing: suggestions for words that are nearly right, completion in the shells, and the threads that nobody typed."""
+"""Typing: completion in the shells, and the threads that nobody typed. (Suggestions: refusals.txt)"""
 import os
 import shutil
 import subprocess
@@ -6,31 +6,9 @@ import unittest
 from pathlib import Path
 
 import harness
-from harness import CommandTest, paraboloid, rough
+from harness import CommandTest, rough
 
 SCRIPTS = Path(__file__).resolve().parents[3] / "tools" / "completions"
-GOOD = ["--pitch", "1e-6", "--modulus", "1e9", "--approach", "1e-8"]
-
-
-class Suggestions(CommandTest):
-    def test_nearest_word(self):
-        self.npy(paraboloid(24))
-        solve = ["solve", "surface.npy", *GOOD]
-        for arguments, meant in (
-                (["analyse", "x"], "analyze"), (["slove"], "solve"), (["backend"], "backends"), (["generate", "spectrall"], "spectral"),
-                (["generate", "sfere", "--radius", 1], "sphere"), ([*solve, "--tolerance", "1e-3"], "--tol"), ([*solve, "--tolerance=1e-3"], "--tol"),
-                ([*solve, "--boundery", "free"], "--boundary"), (["solve", "--presure=1", "surface.npy"], "--pressure"),
-                (["analyze", "surface.npy", "--boundry", "free"], "--boundary"), (["generate", "rmd", "--level", 3, "--output", "x.npy"], "--levels"),
-                ([*solve, "--set", "maxiter=5"], "max_iter")):
-            with self.subTest(arguments):
-                self.assert_fails(*arguments, says='did you mean "%s"?' % meant)
-
-    def test_nothing_near(self):
-        self.assert_fails("xyzzy", says='roughcontact has no command "xyzzy"; see roughcontact --help')
-        self.assert_fails("solve", "a", "--xyzzy", says='roughcontact solve has no option "--xyzzy"; see roughcontact solve --help')
-        for word in ("--plot", "--spectrum", "--map"):
-            self.assert_fails("solve", "a", word, says='roughcontact solve has no option "%s"; see roughcontact solve --help' % word)
-        self.assert_fails("solve", "a", "b", says='"b" is not expected here; see roughcontact solve --help')
 
 
 class Completion(CommandTest):

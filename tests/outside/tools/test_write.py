@@ -150,12 +150,6 @@ class Write(CommandTest):
         self.assertEqual((self.folder / "out/step-1.vti").read_bytes(), before)
         self.assertIn("step-2.vti", self.names("out"))
 
-    def test_what_is_refused(self):
-        good = ["solve", self.npy(rough()), "--pitch", "1um", "--modulus", "1GPa", "--pressure", "1MPa"]
-        self.assert_fails(*good, "--out", "out", "--write", "vtk", says=["--write", 'did you mean "vti"?', "vti, netcdf or hdf5"])
-        self.assert_fails(*good, "--out", "out", "--write", "vti,", says=["--write", '""'])
-        self.assert_fails(*good, "--write", "vti", says=["--write", "--out"])
-
     def test_a_command_that_was_built_without(self):
         """A copy of the command that stands alone finds no modules."""
         alone = self.folder / "roughcontact"
