@@ -58,7 +58,7 @@ HAAR = {'solvers/problem.h', 'solvers/haar_cg/iteration/iteration.h', 'solvers/h
         'trees/algebra.inc'}
 BESIDE = {'core', 'abi/own_guard.h', 'abi/sized_struct.h'}
 # Folders and headers of src that others, and the law, may include; the flow also includes the session of backends/cholmod.
-BORROWED = {'surface': BESIDE | {'grid'}, 'formats': BESIDE | {'platform'}, 'request': BESIDE, 'flow': BESIDE | {'abi/steps.h', 'platform', 'cholmod'}, 'tools': {'core/text.h', 'platform'}, 'law': {'abi/arrays.h', 'abi/guard.h', 'abi/sized_struct.h'}, 'backends': {'platform', 'core/certificate_terms.h', 'core/start_terms.h'} | HAAR}
+BORROWED = {'surface': BESIDE | {'grid'}, 'formats': BESIDE | {'platform'}, 'request': BESIDE | {'platform/files.h'}, 'flow': BESIDE | {'abi/steps.h', 'platform', 'cholmod'}, 'tools': {'core/text.h', 'platform'}, 'law': {'abi/arrays.h', 'abi/guard.h', 'abi/sized_struct.h'}, 'backends': {'platform', 'core/certificate_terms.h', 'core/start_terms.h'} | HAAR}
 WITHIN = {('cuda_host', 'cuda/tables.h')}  # one plugin, built twice
 EXCEPTIONS = {('src/registry/builtin.cpp.in', 'backends/known.def'),  # a list of names
               ('src/law/table.c', 'table.h')}  # compiled by programs without this tree

@@ -42,7 +42,8 @@ void check_spec(const rc_request_spec& spec) {
 
 void take_system(const rc_system& system, const Words& words, rc_request& request) {
   std::string twice;
-  for (const char* const word : {"pitch", "unit", "modulus", "E", "nu", "E2", "nu2", "hardness", "boundary"})
+  for (const char* const word :
+       {"pitch", "unit", "modulus", "E", "nu", "E2", "nu2", "hardness", "creep", "relaxation", "boundary"})
     if (words.find(word)) twice += (twice.empty() ? "" : ", ") + words.spelt(word);
   if (!twice.empty()) fail(RC_ERR_ARGUMENT, twice, " and system are both given; the system has them");
   request.view.system = system;
@@ -80,6 +81,7 @@ std::unique_ptr<rc_request> made(const rc_request_spec& spec, const Variation& v
     set_elasticity(words, units, *request);
   }
   set_layer(words, units, *request);
+  set_creep(words, *request);
   set_flow(words, units, *request);
   set_loading(words, units, !spec.system && spec.call != RC_CALL_ANALYZE, *request);
   set_surface(spec, words, units, variation, *request);
@@ -96,6 +98,8 @@ std::unique_ptr<rc_request> made(const rc_request_spec& spec, const Variation& v
   view.loading = request->loading.empty() ? nullptr : request->loading.c_str();
   view.targets = request->targets.data();
   view.n = std::ssize(request->targets);
+  view.times = request->times.empty() ? nullptr : request->times.data();
+  view.n_times = std::ssize(request->times);
   view.si = units.si ? 1 : 0;
   view.format = request->format.c_str();
   return request;
@@ -211,7 +215,8 @@ rc_status rc_request_smooth(const rc_request* request, double load, rc_smooth* o
     check_size(out, "rc_smooth");
     if (!request->shape) fail(RC_ERR_ARGUMENT, "no shape was named");
     const rc_system& s = request->view.system;
-    if (s.op != RC_OPERATOR_HALFSPACE || request->layered) fail(RC_ERR_ARGUMENT, "the system is no homogeneous half-space");
+    if (s.op != RC_OPERATOR_HALFSPACE || request->layered || s.creep_terms > 0)
+      fail(RC_ERR_ARGUMENT, "the system is no homogeneous elastic half-space");
     if (!(load >= 0) || !std::isfinite(load)) fail(RC_ERR_ARGUMENT, "load = ", load, " must be 0 or more, and finite");
     write(out, smooth_of(*request, load));
   });
@@ -221,7 +226,9 @@ rc_status rc_request_note(const rc_request* request, const char* note, double lo
   return rc::request::guard([&] {
     if (!request || !note || !text || size == 0) fail(RC_ERR_ARGUMENT, "request, note or text is null, or size 0");
     std::string all = with_words(request->spelling, note);
-    if (request->shape && !request->layered && load > 0 && request->view.system.op == RC_OPERATOR_HALFSPACE) {
+    const rc_system& system = request->view.system;
+    const bool hertz = system.op == RC_OPERATOR_HALFSPACE && !request->layered && system.creep_terms == 0;
+    if (request->shape && hertz && load > 0) {
       const std::string remark = smooth_of(*request, load).remark;
       all += (all.empty() || remark.empty() ? "" : "; ") + remark;
     }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "request/history.h"
 #include "request/request.h"
 
 namespace rc::request {
@@ -101,10 +102,14 @@ void set_loading(const Words& words, Units& units, bool needed, rc_request& requ
   constexpr std::pair<const char*, Dimension> loadings[] = {
       {"approach", Dimension::length}, {"load", Dimension::force}, {"pressure", Dimension::pressure}, {"area", Dimension::share}};
   std::vector<std::string> known;
+  const StepTable table = step_table(words);
   for (const auto& [word, dimension] : loadings) {
     if ((find_word(word)->calls & words.call) != 0) known.push_back(words.spelt(word));
-    const Given* const given = words.find(word);
+    const Given column = StepTable::as_word(word, table.targets);
+    const Given* const given = table.loading == word ? &column : words.find(word);
     if (!given) continue;
+    if (words.find(word) && !table.loading.empty())
+      throw Error("give only one of ", words.spelt("steps"), " and ", words.spelt(word));
     if (!request.loading.empty()) throw Error("give only one of ", words.spelt(request.loading), " and ", words.spelt(word));
     request.loading = word;
     const auto quantities = words.quantities(*given, dimension, dimension == Dimension::length ? units.bare.metres : 1);
@@ -123,8 +128,11 @@ void set_loading(const Words& words, Units& units, bool needed, rc_request& requ
   if (words.find("closing-pressure")) {
     if (!request.loading.empty())
       throw Error("give only one of ", words.spelt(request.loading), " and ", words.spelt("closing-pressure"));
+    if (request.view.system.creep_terms > 0)
+      throw Error(words.spelt("closing-pressure"), " is of elastic bodies, leave their creep out");
     request.loading = "closing-pressure";
   }
+  if (!request.loading.empty()) set_times(words, table, needed, request);
   if (!request.loading.empty() || !needed) return;
   if (words.call == RC_CALL_LAW) throw Error(words.spelt("pressure"), " is missing, give the range of the law as 1MPa..500MPa");
   std::string list;

@@ -18,7 +18,8 @@
 struct rc_request {
   rc_problem_view view = RC_PROBLEM_VIEW_INIT;
   std::deque<rc::request::Map> maps;  // whose heights and mask the view has
-  std::vector<double> targets;
+  std::vector<double> targets, times;
+  std::vector<double> creep_ratio, creep_time;  // that the view's system has
   std::string loading, format;
   std::optional<rc::request::Shape> shape;
   rc::request::Spelling spelling;
@@ -48,7 +49,9 @@ struct Units {
 // The contact modulus of both bodies, and the hardness. Doubts about them go into the remarks.
 void set_elasticity(const Words& words, Units& units, rc_request& request);
 void set_layer(const Words& words, Units& units, rc_request& request);
-// needed: whether it is an error if nothing presses.
+// The words creep and relaxation.
+void set_creep(const Words& words, rc_request& request);
+// The targets and times of the words steps, time and all that press. needed: whether it is an error if nothing presses.
 void set_loading(const Words& words, Units& units, bool needed, rc_request& request);
 // The words leak and closing-pressure.
 void set_flow(const Words& words, Units& units, rc_request& request);

@@ -18,7 +18,8 @@ struct Symbol {
   double factor = 1;
 };
 constexpr Symbol symbols[] = {{"Pa", Dimension::pressure}, {"bar", Dimension::pressure, 1e5}, {"N", Dimension::force},
-                              {"rad", Dimension::angle},   {"Pas", Dimension::viscosity},     {"Pa s", Dimension::viscosity}};
+                              {"rad", Dimension::angle},   {"Pas", Dimension::viscosity},     {"Pa s", Dimension::viscosity},
+                              {"s", Dimension::time}};
 
 constexpr std::pair<const char*, double> label_prefixes[] = {{"T", 1e12},  {"G", 1e9},   {"M", 1e6},         {"k", 1e3},
                                                              {"", 1},      {"m", 1e-3},  {"\xc2\xb5", 1e-6}, {"n", 1e-9},
@@ -35,6 +36,8 @@ std::optional<double> metres_in(std::string_view name) {
 std::optional<Unit> find_unit(std::string_view name) {
   if (const auto metres = metres_in(name)) return Unit{Dimension::length, *metres};
   if (name == "%") return Unit{Dimension::share, 0.01};
+  if (name == "min") return Unit{Dimension::time, 60};
+  if (name == "h") return Unit{Dimension::time, 3600};
   if (name == "deg") return Unit{Dimension::angle, 3.14159265358979323846 / 180};
   for (const auto& [symbol, dimension, scale] : symbols) {
     if (!name.ends_with(symbol)) continue;
@@ -49,6 +52,7 @@ const char* name_of(Dimension dimension) {
   if (dimension == Dimension::pressure) return "a pressure";
   if (dimension == Dimension::share) return "a share";
   if (dimension == Dimension::viscosity) return "a viscosity";
+  if (dimension == Dimension::time) return "a time";
   return dimension == Dimension::force ? "a force" : "an angle";
 }
 
@@ -57,6 +61,7 @@ const char* units_of(Dimension dimension) {
   if (dimension == Dimension::pressure) return "Pa with an SI prefix (kPa, MPa, GPa), or bar";
   if (dimension == Dimension::share) return "%, at most 100 %";
   if (dimension == Dimension::viscosity) return "Pas with an SI prefix (mPas)";
+  if (dimension == Dimension::time) return "s with an SI prefix (ms), min or h";
   return dimension == Dimension::force ? "N with an SI prefix (uN, mN, kN)" : "deg or rad";
 }
 

@@ -7,7 +7,7 @@
 
 namespace rc::request {
 
-enum class Dimension { length, pressure, force, angle, share, viscosity };
+enum class Dimension { length, pressure, force, angle, share, viscosity, time };
 
 struct Unit {
   Dimension dimension;
@@ -17,8 +17,8 @@ struct Unit {
 // Metres in a length as files name it.
 std::optional<double> metres_in(std::string_view name);
 
-// A length as files name it; Pa, N or rad with any SI prefix, deg or %. Capitals count: mN and MN, mPa and MPa differ. Micro is
-// u, U+00B5, U+03BC or Latin-1. Nothing if the text is no such unit.
+// A length as files name it; Pa, N, rad or s with any SI prefix, min, h, deg or %. Capitals count: mN and MN, mPa and MPa differ.
+// Micro is u, U+00B5, U+03BC or Latin-1. Nothing if the text is no such unit.
 std::optional<Unit> find_unit(std::string_view name);
 
 // "a pressure", "Pa with an SI prefix (kPa, MPa, GPa), or bar".

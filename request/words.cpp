@@ -17,9 +17,12 @@ constexpr std::int32_t every = every_call;
 constexpr std::int32_t presses = every & ~RC_CALL_ANALYZE;
 constexpr std::int32_t whole = every & ~RC_CALL_ROWS;
 constexpr std::int32_t steps = RC_CALL_SOLVE | RC_CALL_HISTORY;
+constexpr std::int32_t in_time = RC_CALL_HISTORY | RC_CALL_BATCH | RC_CALL_ROWS;
+constexpr std::int32_t most_terms = 2000;  // numbers of a series
 constexpr std::string_view alone = "a rank has some rows, and this needs others";
 constexpr std::string_view elastic = "Elasticity (modulus, or E and nu)", loading = "Loading (one of)",
-                           nothing = "nothing presses when a surface is analysed";
+                           nothing = "nothing presses when a surface is analysed",
+                           no_time = "one step alone, a law and an analysed surface have no time";
 
 constexpr Word table[] = {
 #define RC_REQUEST_WORD(name, kind, most, group, form, help, choices, example, calls, why_not) \
@@ -130,7 +133,8 @@ Words::Words(const rc_request_spec& spec, const Variation& variation)
     if (!given.word) continue;
     if ((given.word->calls & call) == 0)
       fail(RC_ERR_ARGUMENT, spelt(given.name), " is not a word of ", call_name(call), ": ", given.word->why_not);
-    const bool numeric = given.word->kind >= RC_WORD_LENGTH && given.word->kind <= RC_WORD_NUMBER;
+    const bool numeric =
+        (given.word->kind >= RC_WORD_LENGTH && given.word->kind <= RC_WORD_NUMBER) || given.word->kind == RC_WORD_TIME;
     if (!numeric && !given.text && given.word->kind != RC_WORD_OPTION)
       fail(RC_ERR_ARGUMENT, spelt(given.name), " is ", given.shown(), ", a text is needed, such as ",
            in_quotes(given.word->example));

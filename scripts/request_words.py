@@ -14,7 +14,7 @@ def words(table: str) -> List[Tuple[Any, ...]]:
     every = sum(calls.values())
     text = re.sub(r"^//.*\n", "", table, flags=re.M)
     kinds = {name: name for name in re.findall(r"RC_WORD_\w+", text)}
-    own = {"every": every, "presses": every & ~calls["RC_CALL_ANALYZE"], "steps": calls["RC_CALL_SOLVE"] | calls["RC_CALL_HISTORY"], "elastic": "", "loading": "", "most_targets": 100000}
+    own = {"every": every, "presses": every & ~calls["RC_CALL_ANALYZE"], "steps": calls["RC_CALL_SOLVE"] | calls["RC_CALL_HISTORY"], "in_time": calls["RC_CALL_HISTORY"] | calls["RC_CALL_BATCH"] | calls["RC_CALL_ROWS"], "no_time": "one step alone, a law and an analysed surface have no time", "elastic": "", "loading": "", "most_targets": 100000, "most_terms": 2000}
     exec(text, {**calls, **kinds, **own, "nothing": "nothing presses when a surface is analysed", "whole": every & ~calls["RC_CALL_ROWS"], "alone": "a rank has some rows, and this needs others", "RC_REQUEST_WORD": lambda *row: rows.append(row)})
     return rows
 

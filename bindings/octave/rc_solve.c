@@ -29,6 +29,8 @@ typedef struct Request {
   bool asks_gradient;
   mxArray* by_gap;   /* what it writes; NULL: none was computed */
   mxArray* flow;     /* of the words leak and closing_pressure; NULL: neither is given */
+  bool in_time;      /* a word is time or steps: several steps are solved */
+  mxArray* history;  /* of them; NULL: one step is solved */
   char* explanation; /* of rc_contact_explain, after a solve */
   char message[1024];
 } Request;
@@ -71,7 +73,7 @@ static void close_request(Request* request) {
 /* Reads the words: the problem and the options. */
 static rc_status read_words(Request* request) {
   rc_request_spec spec = RC_REQUEST_SPEC_INIT;
-  spec.call = RC_CALL_SOLVE;
+  spec.call = request->in_time ? RC_CALL_HISTORY : RC_CALL_SOLVE;
   spec.numbers = RC_NUMBERS_OWN;
   spec.spelling = RC_SPELLING_FIELD;
   spec.words = request->words;
@@ -147,6 +149,42 @@ static rc_status find_flow(Request* request, const rc_step* step, const rc_resul
 #endif
 }
 
+/* Numbers of each step: info.history. */
+enum { HISTORY_COLUMNS = 6 };
+static const char* const history_names[] = {"load", "approach", "mean_pressure", "contact_area", "area_fraction", "status"};
+
+/* Solves the steps in order; p, gap and result are of the last one. A step that is not certified ends them. */
+static rc_status solve_steps(Request* request, rc_contact* contact, rc_step step, rc_result* result) {
+  const rc_problem_view* const view = &request->view;
+  const double share =
+      step.control == RC_CONTROL_AREA ? (double)(view->system.nx * view->system.ny) * view->system.hx * view->system.hy : 1;
+  double* columns[HISTORY_COLUMNS] = {0};
+  if (request->in_time) {
+    request->history = mxCreateStructMatrix(1, 1, HISTORY_COLUMNS, (const char**)history_names);
+    for (int column = 0; column < HISTORY_COLUMNS; ++column) {
+      mxArray* const values = mxCreateDoubleMatrix((size_t)view->n, 1, mxREAL);
+      columns[column] = mxGetPr(values);
+      for (int64_t k = 0; k < view->n; ++k) columns[column][k] = NAN;
+      mxSetField(request->history, 0, history_names[column], values);
+    }
+    mxArray* const times = mxCreateDoubleMatrix((size_t)view->n_times, 1, mxREAL);
+    if (view->n_times > 0) memcpy(mxGetPr(times), view->times, (size_t)view->n_times * sizeof *view->times);
+    mxSetFieldByNumber(request->history, 0, mxAddField(request->history, "time"), times);
+  }
+  rc_status status = RC_OK;
+  for (int64_t k = 0; k < view->n && (status == RC_OK || status == RC_WITHIN_GOAL); ++k) {
+    step.target = view->targets[k] * share;
+    if (view->n_times > 0) step.time = view->times[k];
+    status = rc_contact_solve(contact, &step, result);
+    step.undeformed_gap = step.mask = step.p0 = (rc_const_array){0};
+    if (!request->in_time || status < 0) continue;
+    const double numbers[HISTORY_COLUMNS] = {result->load,         result->approach,      result->mean_pressure,
+                                             result->contact_area, result->area_fraction, (double)status};
+    for (int column = 0; column < HISTORY_COLUMNS; ++column) columns[column][k] = numbers[column];
+  }
+  return status;
+}
+
 /* p has nx*ny values; gap may be NULL. */
 static rc_status solve(Request* request, rc_const_array p0, double* p, double* gap, rc_result* result) {
   const rc_system* system = &request->view.system;
@@ -160,8 +198,6 @@ static rc_status solve(Request* request, rc_const_array p0, double* p, double* g
                  : !strcmp(loading, "load")     ? RC_CONTROL_LOAD
                  : !strcmp(loading, "pressure") ? RC_CONTROL_PRESSURE
                                                 : RC_CONTROL_AREA;
-  if (request->view.n > 0)
-    step.target = request->view.targets[0] * (step.control == RC_CONTROL_AREA ? (double)n * system->hx * system->hy : 1);
   step.undeformed_gap = RC_IN(undeformed_gap);
   step.mask = RC_IN(request->view.mask);
   step.p0 = p0;
@@ -176,7 +212,7 @@ static rc_status solve(Request* request, rc_const_array p0, double* p, double* g
   rc_contact* contact = NULL;
   status = rc_contact_create(system, request->options, &contact);
   if (status == RC_OK) status = rc_contact_on_progress(contact, interrupted, NULL, 1);
-  if (status == RC_OK) status = rc_contact_solve(contact, &step, result);
+  if (status == RC_OK) status = solve_steps(request, contact, step, result);
   keep_message(request, status);
   const char* why = NULL;
   if (status >= 0 && rc_contact_explain(contact, &why) == RC_OK) request->explanation = strcpy(mxMalloc(strlen(why) + 1), why);
@@ -251,6 +287,7 @@ static void set_field(Request* request, const char* field, const mxArray* value)
   }
   const rc_given word = {field, text ? mxArrayToString(value) : NULL, text ? NULL : numbers(value),
                          text ? 0 : (int64_t)mxGetNumberOfElements(value)};
+  request->in_time = request->in_time || !strcmp(field, "time") || !strcmp(field, "steps");
   request->words[request->n++] = word;
 }
 
@@ -271,7 +308,7 @@ static mxArray* info_of(const rc_result* result, const Request* request, mxArray
 #include "result_fields.def"
 #undef NUMBER
 #undef TEXT
-      "status_name", "status_text", "message", "explanation", "gap", "gradient", "flow"};
+      "status_name", "status_text", "message", "explanation", "gap", "gradient", "flow", "history"};
   mxArray* info = mxCreateStructMatrix(1, 1, sizeof names / sizeof *names, names);
 #define NUMBER(name) mxSetField(info, 0, #name, mxCreateDoubleScalar((double)result->name));
 #define TEXT(name) mxSetField(info, 0, #name, mxCreateString(result->name));
@@ -285,6 +322,7 @@ static mxArray* info_of(const rc_result* result, const Request* request, mxArray
   mxSetField(info, 0, "gap", gap);
   mxSetField(info, 0, "gradient", gradient_of(request));
   mxSetField(info, 0, "flow", request->flow);
+  mxSetField(info, 0, "history", request->history);
   return info;
 }
 

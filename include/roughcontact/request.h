@@ -44,7 +44,8 @@ enum {
   RC_WORD_NUMBER = 6,
   RC_WORD_NAME = 7,     /* one of rc_word.choices, or any where there are none                                       */
   RC_WORD_SHAPE = 8,    /* "sphere:R=1mm", or an rc_map                                                              */
-  RC_WORD_OPTION = 9    /* of the library, see rc_component_describe                                                 */
+  RC_WORD_OPTION = 9,   /* of the library, see rc_component_describe                                                 */
+  RC_WORD_TIME = 10
 };
 
 /** A word. The texts live as long as the library. */
@@ -153,6 +154,8 @@ typedef struct rc_problem_view {
   double pressure_drop;    /* of the same [pressure]                                                                 */
   int32_t along;           /* RC_FLOW_X or RC_FLOW_Y, of the words leak and closing-pressure; 0: neither is given    */
   int32_t reserved;
+  const double *times;     /* [n_times] of the steps, for bodies that creep; NULL: none. But for BATCH one for each target */
+  int64_t n_times;
 } rc_problem_view;
 #define RC_PROBLEM_VIEW_INIT RC_BEGIN(rc_problem_view)
 

@@ -17,6 +17,7 @@ std::unique_ptr<rc_budget> made_budget(const rc_request_spec& spec, const rc_bud
   if (spec.system) fail(RC_ERR_ARGUMENT, "a budget changes words, and a system is given; give modulus, or E and nu");
   const auto base = made(spec, {});
   if (!base->view.heights || base->view.maps != 1) fail(RC_ERR_ARGUMENT, "a budget is of one surface");
+  if (base->view.system.creep_terms > 0) fail(RC_ERR_ARGUMENT, "a budget is of elastic bodies, leave their creep out");
   if (base->targets.empty()) fail(RC_ERR_ARGUMENT, "a budget is of a step, give approach, load, pressure or area");
   auto budget = std::make_unique<rc_budget>();
   budget->sources = read_sources(given.sources, Words{spec, {}}, *base);

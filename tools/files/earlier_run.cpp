@@ -45,6 +45,8 @@ std::optional<EarlierRun> read_earlier_run(const std::string& text) {
     const std::string_view room = take_part(rest);
     if (room == "input" && rest.starts_with("/targets/")) {
       run.targets.push_back(number_in(entry.value, 0));
+    } else if (room == "input" && rest.starts_with("/times/")) {
+      run.times.push_back(number_in(entry.value, 0));
     } else if (room == "input" && rest != "/file" && rest != "/against" && !rest.starts_with("/assumed/") &&
                !rest.starts_with("/words/")) {
       run.input.push_back(entry);
@@ -81,11 +83,15 @@ void check_continues(const EarlierRun& earlier, const EarlierRun& now, std::size
   if (now.targets.size() < steps) {
     refuse("complete steps", std::to_string(steps), std::to_string(now.targets.size()));
   }
-  for (std::size_t k = 0; k < steps; ++k) {
-    if (earlier.targets.size() <= k || earlier.targets[k] != now.targets[k])
-      refuse(format("target of step %zu", k + 1), k < earlier.targets.size() ? format("%.17g", earlier.targets[k]) : "nothing",
-             format("%.17g", now.targets[k]));
-  }
+  const auto compare_steps = [&](const char* what, const std::vector<double>& before, const std::vector<double>& here) {
+    const auto number = [](const std::vector<double>& of, std::size_t k) {
+      return k < of.size() ? format("%.17g", of[k]) : std::string("nothing");
+    };
+    for (std::size_t k = 0; k < steps; ++k)
+      if (number(before, k) != number(here, k)) refuse(format("%s of step %zu", what, k + 1), number(before, k), number(here, k));
+  };
+  compare_steps("target", earlier.targets, now.targets);
+  compare_steps("time", earlier.times, now.times);
 }
 
 }  // namespace cli

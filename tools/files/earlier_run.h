@@ -23,8 +23,8 @@ struct EarlierStep {
 };
 
 struct EarlierRun {
-  std::vector<JsonEntry> input;  // without file and targets
-  std::vector<double> targets;
+  std::vector<JsonEntry> input;  // without file, targets and times
+  std::vector<double> targets, times;
   std::vector<EarlierStep> steps;
   std::size_t removing = 0;  // steps of a still earlier run whose files it was about to remove
 

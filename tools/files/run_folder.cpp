@@ -38,7 +38,7 @@ struct StepName {
 
 StepName parts_of(const std::string& name) {
   constexpr std::pair<std::string_view, std::string_view> maps[] = {
-      {"pressure", "npy"}, {"gap", "npy"}, {"indentation", "npy"}, {"contact", "png"}};
+      {"pressure", "npy"}, {"gap", "npy"}, {"indentation", "npy"}, {"creep", "npy"}, {"contact", "png"}};
   const auto dash = name.find('-'), dot = name.find('.');
   if (dash == std::string::npos || dot == std::string::npos || dot < dash + 2) return {};
   const std::string digits = name.substr(dash + 1, dot - dash - 1);

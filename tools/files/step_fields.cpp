@@ -37,6 +37,7 @@ constexpr std::pair<std::string_view, std::string_view> units[] = {{"approach", 
                                                                    {"leak_lower", "m^3/s"},
                                                                    {"leak_upper", "m^3/s"},
                                                                    {"constriction", "m"},
+                                                                   {"time", "s"},
                                                                    {"smooth_width", "m"},
                                                                    {"smooth_approach", "m"},
                                                                    {"smooth_max_pressure", "Pa"}};
@@ -100,6 +101,7 @@ std::vector<JsonEntry> step_fields(const StepRecord& step, const Problem& proble
                                    {"area_estimate", r.area_estimate},
                                    {"note", remarks(problem, r)},
                                    {"message", step.message}};
+  if (!problem.times.empty()) fields.push_back({"time", problem.step_time(static_cast<std::size_t>(step.number - 1))});
   if (step.leak) {
     const rc_flow_result& leak = *step.leak;
     fields.insert(fields.end(), {{"leak", leak.flow},

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/text.h"
 #include "files/array_files.h"
 #include "files/step_fields.h"
 #include "formats/error.h"
@@ -24,8 +25,8 @@ HistoryPoint history_point(const EarlierStep& step) {
     }
     return std::numeric_limits<double>::quiet_NaN();
   };
-  return {step.load,           step.approach,       number("/area_fraction"), number("/corrected_area"),
-          number("/mean_gap"), number("/stiffness")};
+  return {step.load,           step.approach,        number("/area_fraction"), number("/corrected_area"),
+          number("/mean_gap"), number("/stiffness"), number("/time")};
 }
 
 void tell(const std::string& fault) {
@@ -72,12 +73,21 @@ std::vector<double> StepFiles::indentation() const {
   return values("indentation", run_.complete().size());
 }
 
-std::vector<double> StepFiles::values(const char* stem, std::size_t number) const {
+Left StepFiles::left() const {
+  Left found;
+  if (problem_.system.creep_terms == 0 || run_.complete().empty()) return found;
+  found.creep = values("creep", run_.complete().size(), problem_.system.creep_terms + 1);
+  const std::vector<std::size_t> certified = run_.certified();
+  found.time = certified.empty() ? std::numeric_limits<double>::quiet_NaN() : problem_.times[certified.front() - 1];
+  return found;
+}
+
+std::vector<double> StepFiles::values(const char* stem, std::size_t number, std::int64_t maps) const {
   const std::string name = run_.step_name(stem, number, "npy");
   const Surface read = read_surface(run_.files().path(name), {}, "npy");
-  if (read.nx != problem_.system.nx || read.ny != problem_.system.ny)
+  if (read.nx != problem_.system.nx || read.ny != maps * problem_.system.ny)
     throw Error("--resume: ", name, " has ", read.nx, " x ", read.ny, " points, the surface has ", problem_.system.nx, " x ",
-                problem_.system.ny);
+                problem_.system.ny, maps > 1 ? rc::join(", and ", maps, " maps are needed") : "");
   return read.heights;
 }
 
@@ -87,7 +97,7 @@ void StepFiles::write_maps(const StepRecord& step, const Fields& fields, const s
   };
   const auto array_file = [&](const std::string& file_name, const std::vector<double>& field) {
     run_.files().write(file_name, [&](std::FILE* file) {
-      write_npy(file, field, problem_.system.nx, problem_.system.ny);
+      write_npy(file, field, problem_.system.nx, static_cast<std::int64_t>(field.size()) / problem_.system.nx);
       return true;
     });
   };
@@ -105,6 +115,7 @@ void StepFiles::write_maps(const StepRecord& step, const Fields& fields, const s
   array("pressure", fields.pressure);
   array("gap", fields.gap);
   if (!fields.indentation.empty()) array("indentation", fields.indentation);
+  if (!fields.creep.empty()) array("creep", fields.creep);
   for (const NamedWriter& writer : writers_) {
     run_.files().write(name("step", writer.extension), [&](std::FILE* file) {
       writer.write(make_image(problem_, values, fields), file);
@@ -119,8 +130,12 @@ void StepFiles::write(const StepRecord& step, const Fields& fields) {
   const std::vector<JsonEntry> values = step_fields(step, problem_);
   if (maps_) write_maps(step, fields, values);
   history_.push_back({step.result.load, step.result.approach, step.result.area_fraction, step.measures.corrected_area,
-                      step.result.mean_gap, step.result.stiffness});
+                      step.result.mean_gap, step.result.stiffness,
+                      problem_.step_time(static_cast<std::size_t>(step.number - 1))});
   run_.end_step(values);
+  // Only the last one is needed to go on, and it has a map for each term.
+  if (!fields.creep.empty() && step.number > 1)
+    run_.files().remove(run_.step_name("creep", static_cast<std::size_t>(step.number - 1), "npy"));
 }
 
 void StepFiles::write_history() {

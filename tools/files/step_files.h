@@ -34,13 +34,15 @@ class StepFiles {
   std::vector<CertifiedStep> certified() const;
   // After the last complete step; empty without a hardness.
   std::vector<double> indentation() const;
+  // The same of creep, empty without it.
+  Left left() const;
 
   void write(const StepRecord& step, const Fields& fields);
   // Draws all steps so far, if there are two or more.
   void write_history();
 
  private:
-  std::vector<double> values(const char* stem, std::size_t number) const;
+  std::vector<double> values(const char* stem, std::size_t number, std::int64_t maps = 1) const;
   void write_maps(const StepRecord& step, const Fields& fields, const std::vector<JsonEntry>& values);
   std::string draw(const std::string& name, const std::function<Gnuplot(std::FILE*)>& picture);
 

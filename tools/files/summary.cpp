@@ -41,7 +41,7 @@ std::string Checksum::text() const { return format("%016llx", static_cast<unsign
 Summary::Summary(const Problem& problem, const std::string& checksum) {
   const rc_system& system = problem.system;
   document_.begin("units");
-  document_.add({{"length", "m"}, {"pressure", "Pa"}, {"force", "N"}, {"flow", "m^3/s"}});
+  document_.add({{"length", "m"}, {"pressure", "Pa"}, {"force", "N"}, {"flow", "m^3/s"}, {"time", "s"}});
   document_.end();
   document_.begin("input");
   document_.add({{"file", problem.input.file},
@@ -59,6 +59,15 @@ Summary::Summary(const Problem& problem, const std::string& checksum) {
                  {"crossing", crossing_of(system.boundary)},
                  {"control", problem.control}});
   if (system.hardness > 0) document_.add("hardness", system.hardness);
+  if (system.creep_terms > 0) {
+    const auto terms = static_cast<std::size_t>(system.creep_terms);
+    document_.begin(system.creep_by == RC_CREEP_MODULI ? "relaxation" : "creep");
+    for (const auto& [name, values] : {std::pair{"ratios", &system.creep_ratio}, {"times", &system.creep_time}}) {
+      const auto* const first = static_cast<const double*>(values->data);
+      document_.add(name, std::vector<double>(first, first + terms));
+    }
+    document_.end();
+  }
   if (!problem.input.against.empty()) document_.add("against", problem.input.against);
   if (problem.view.viscosity > 0)
     document_.add({{"viscosity", problem.view.viscosity},
@@ -70,6 +79,7 @@ Summary::Summary(const Problem& problem, const std::string& checksum) {
   for (const auto& [word, text] : problem.input.words) document_.add(word.c_str(), text);
   document_.end();
   document_.add("targets", problem.targets);
+  if (!problem.times.empty()) document_.add("times", problem.times);
   document_.begin("options");
   for (auto option = problem.options.begin(); option != problem.options.end(); ++option) {
     const auto same = [&](const auto& other) { return other.first == option->first; };

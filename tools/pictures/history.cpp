@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -19,7 +20,7 @@ namespace {
 // Else 0.
 double slope_for_persson(const Problem& problem) {
   constexpr double most_skewness = 1, least_kurtosis = 2.3, most_kurtosis = 5;  // 0 and 3 for a Gaussian, 1.5 for a wave
-  if (problem.system.boundary != RC_BOUNDARY_PERIODIC || problem.system.hardness > 0) return 0;
+  if (problem.system.boundary != RC_BOUNDARY_PERIODIC || problem.system.hardness > 0 || problem.system.creep_terms > 0) return 0;
   if (problem.input.mask || !problem.input.shape.empty()) return 0;
   const Pressed& surface = problem.input.surface;
   auto map = on_grid(surface.nx, surface.ny, surface.hx, surface.hy, rc_surface_map RC_SURFACE_MAP_INIT);
@@ -48,6 +49,13 @@ bool spread(const Steps& steps, Value value) {
   return least.*value > 0 && most.*value > far * least.*value;
 }
 
+// The same of times, of which those that are not positive have no place on a logarithmic axis.
+bool times_spread(const Steps& steps) {
+  Steps later;
+  std::ranges::copy_if(steps, std::back_inserter(later), [](const HistoryPoint& step) { return step.time > 0; });
+  return later.size() > 2 && spread(later, &HistoryPoint::time);
+}
+
 struct Axis {
   Value value;
   const char* name;
@@ -58,7 +66,9 @@ struct Axis {
 
 std::string label(const Axis& axis) { return std::string(axis.name) + " [" + axis.unit.symbol + axis.base + "]"; }
 
-// The lines between steps of growing, or of falling, load; steps without a value are left out.
+bool of_time(const Axis& axis) { return axis.value == &HistoryPoint::time; }
+
+// The lines between steps of growing, or of falling, load, in time all; steps without a value are left out.
 std::string lines(const Steps& steps, const Axis& x, const Axis& y, bool falling) {
   std::string text;
   const auto point = [&](const HistoryPoint& step) {
@@ -66,7 +76,7 @@ std::string lines(const Steps& steps, const Axis& x, const Axis& y, bool falling
   };
   bool open = false;
   for (std::size_t k = 0; k < steps.size(); ++k) {
-    const bool falls = k > 0 && steps[k].load < steps[k - 1].load;
+    const bool falls = !of_time(x) && k > 0 && steps[k].load < steps[k - 1].load;
     const bool known = std::isfinite(steps[k].*y.value), known_before = k > 0 && std::isfinite(steps[k - 1].*y.value);
     if (falls != falling || !known) {
       text += open ? "\n" : "";
@@ -98,17 +108,18 @@ std::string panel(int place, const char* title, const Axis& x, const Axis& y, co
     plots += (plots.empty() ? "" : ", ") +
              format("$%s%d using 1:2 with linespoints linewidth 2 %s title '%s'", name, place, style, name);
   };
-  curve(false, "loading", "pointtype 7 linecolor rgb '#e6002e'");
+  curve(false, of_time(x) ? "steps" : "loading", "pointtype 7 linecolor rgb '#e6002e'");
   curve(true, "unloading", "pointtype 9 dashtype 2 linecolor rgb '#0060c0'");
   return text + "plot " + (plots.empty() ? "NaN notitle" : plots) + "\n";
 }
 
-// The area less what cells that touch in part add, and Persson's up to half of the area.
-std::string area_others(const Problem& problem, const Steps& steps, double area, const Prefix& force, std::string& blocks) {
+// The area less what cells that touch in part add, and Persson's up to half of the area. x: of the load, or of time.
+std::string area_others(const Problem& problem, const Steps& steps, double area, const Axis& x, std::string& blocks) {
+  const Prefix& force = x.unit;
   blocks = "$corrected << EOD\n";
   for (const HistoryPoint& step : steps) {
     if (std::isfinite(step.corrected_area))
-      blocks += format("%.9g %.9g\n", step.load / force.factor, 100 * step.corrected_area / area);
+      blocks += format("%.9g %.9g\n", step.*x.value / force.factor, 100 * step.corrected_area / area);
   }
   blocks += "EOD\n";
   std::string others;
@@ -140,15 +151,18 @@ Gnuplot draw_history(const Problem& problem, const std::vector<HistoryPoint>& st
   const Axis opening = axis(&HistoryPoint::mean_gap, "mean gap", "m", false),
              rate = axis(&HistoryPoint::stiffness, "stiffness", "N/m", wide && spread(steps, &HistoryPoint::stiffness));
 
+  const bool timed = !problem.times.empty();
+  const Axis time{&HistoryPoint::time, "time", {1, ""}, "s", times_spread(steps)}, &along = timed ? time : force;
+
   std::string blocks;
-  const std::string others = area_others(problem, steps, area, force.unit, blocks);
+  const std::string others = area_others(problem, steps, area, along, blocks);
   return run_gnuplot(
       quarters(format("%zu steps, E* %s, nominal area %s, %s boundary", steps.size(), with_prefix(system.modulus, "Pa").c_str(),
                       with_prefix(area, "m^2").c_str(), name_of_boundary(system.boundary).data())) +
-          blocks + "set key bottom right\n" + panel(0, "contact area", force, share, steps, others) + "set key top left\n" +
-          panel(1, "load against approach", depth, force, steps) + "set key top right\n" +
-          panel(2, "mean gap", force, opening, steps) + "set key bottom right\n" +
-          panel(3, "stiffness dW/dd", force, rate, steps) + "unset multiplot\n",
+          blocks + "set key bottom right\n" + panel(0, "contact area", along, share, steps, others) + "set key top left\n" +
+          panel(1, timed ? "load" : "load against approach", timed ? time : depth, force, steps) + "set key top right\n" +
+          panel(2, "mean gap", along, opening, steps) + "set key bottom right\n" +
+          panel(3, "stiffness dW/dd", along, rate, steps) + "unset multiplot\n",
       file);
 }
 

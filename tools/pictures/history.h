@@ -1,4 +1,5 @@
-// history.png: contact area, mean gap and stiffness of all steps against the load, and the load against the approach.
+// history.png: contact area, mean gap and stiffness of all steps against the load, and the load against the approach; of bodies
+// that creep all against time.
 #pragma once
 
 #include <cstdio>
@@ -11,7 +12,7 @@
 namespace cli {
 
 struct HistoryPoint {
-  double load = 0, approach = 0, area_fraction = 0, corrected_area = 0, mean_gap = 0, stiffness = 0;  // NaN: not known
+  double load = 0, approach = 0, area_fraction = 0, corrected_area = 0, mean_gap = 0, stiffness = 0, time = 0;  // NaN: not known
 };
 
 // Draws to the file with gnuplot. Persson's line goes with the area if his theory is of such a surface.

@@ -37,9 +37,13 @@ class Run {
       every_ = *given;
     }
     row_ = read_problem(ranks, arguments_);
+    if (!row_.problem.times.empty() && (arguments_.resume || every_ > 0))
+      throw Error(arguments_.resume ? "--resume" : "--checkpoint",
+                  ": what creep leaves is not kept by ranks; leave it out, or give --out to roughcontact solve");
     if (every_ > 0 && row_.problem.control == "area")
       throw Error("give --checkpoint without --area: a search for a load begins anew after an interruption");
-    fields_ = Fields{row_.gap.size(), row_.problem.system.hardness > 0};
+    fields_ = Fields{row_.gap.size(), row_.problem.system};
+    fields_.creep.clear();  // not of ranks
     make_contact();
     if (arguments_.out) open_folder();
   }
@@ -105,6 +109,7 @@ class Run {
     rc_step step = RC_STEP_INIT;
     step.control = row_.problem.step_control();
     step.target = row_.problem.step_target(number - 1);
+    step.time = row_.problem.step_time(number - 1);
     step.undeformed_gap.data = new_gap ? row_.gap.data() : nullptr;
     step.mask.data = new_gap ? row_.problem.input.mask : nullptr;
     step.borrow = 1;
@@ -188,7 +193,7 @@ class Run {
   const SolveArguments& arguments_;
   Context context_;
   RowProblem row_;
-  Fields fields_{0, false};
+  Fields fields_{0, RC_SYSTEM_INIT};
   Contact contact_;
   std::optional<RunFolder> folder_;  // on rank 0
   std::optional<Checkpoint> checkpoint_;

@@ -79,6 +79,7 @@ std::string smooth_line(const Problem& problem, const rc_result& r) {
 std::string conclusion(const Problem& problem, const StepRecord& last) {
   const rc_result& r = last.result;
   std::string line = problem.targets.size() > 1 ? format("step %d of %zu: ", last.number, problem.targets.size()) : "";
+  if (!problem.times.empty()) line += format("after %.6g s: ", problem.step_time(static_cast<std::size_t>(last.number - 1)));
   if (!last.good()) {
     line += format("not certified (%s), ", rc_status_name(r.status)) + asked(problem, static_cast<std::size_t>(last.number - 1)) +
             " asked, " + reached(problem, last) + " reached: ";

@@ -12,8 +12,12 @@ struct Problem;
 
 // Pressures and deformed gaps of a step and, if there is a hardness, the plastic indentation after it.
 struct Fields {
-  Fields(std::size_t points, bool yields) : pressure(points), gap(points), indentation(yields ? points : 0) {}
-  std::vector<double> pressure, gap, indentation;
+  Fields(std::size_t points, const rc_system& system)
+      : pressure(points),
+        gap(points),
+        indentation(system.hardness > 0 ? points : 0),
+        creep(system.creep_terms > 0 ? (static_cast<std::size_t>(system.creep_terms) + 1) * points : 0) {}
+  std::vector<double> pressure, gap, indentation, creep;  // the last two after a step; empty: there is none
 };
 
 struct ContactMeasures {

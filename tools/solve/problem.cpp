@@ -48,6 +48,7 @@ Problem make_problem(const SolveArguments& arguments, std::int32_t call, const r
   problem.system = view.system;
   problem.control = view.loading;
   problem.targets.assign(view.targets, view.targets + view.n);
+  problem.times.assign(view.times, view.times + view.n_times);
   return problem;
 }
 

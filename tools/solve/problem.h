@@ -34,6 +34,7 @@ struct Problem {
   rc_system system;
   std::string control;                                       // "approach", "load", "pressure", "area" or "closing-pressure"
   std::vector<double> targets;                               // of the control; lengths in metres, areas as shares
+  std::vector<double> times;                                 // of the steps [s]; empty: the bodies are elastic
   std::vector<std::pair<std::string, std::string>> options;  // of the library, later ones win
   std::string budget_sources;
   std::shared_ptr<const rc_budget> budget;  // of the last step; null: not asked for
@@ -41,6 +42,7 @@ struct Problem {
   // The control and target for the library, which has areas where the command has shares.
   int32_t step_control() const;
   double step_target(std::size_t step) const;
+  double step_time(std::size_t step) const { return times.empty() ? 0 : times[step]; }
 };
 
 // Throws an Error at the first argument that is wrong; the surface is read last. call: RC_CALL_*; maps: of a caller that has the

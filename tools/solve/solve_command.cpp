@@ -79,9 +79,10 @@ ExitCode run_solve(const SolveArguments& arguments) {
   Problem problem = make_problem(arguments, RC_CALL_HISTORY);
   const bool closing = problem.control == "closing-pressure";
   if (closing && arguments.budget) throw Error("--budget is of a step, and --closing-pressure has none");
+  if (!problem.times.empty() && arguments.budget) throw Error("--budget is of elastic bodies, leave their creep out");
   if (closing && arguments.out) throw Error("--closing-pressure has no steps, whose folder --out is");
   const int steps = static_cast<int>(problem.targets.size());
-  Fields fields{problem.input.surface.heights.size(), problem.system.hardness > 0};
+  Fields fields{problem.input.surface.heights.size(), problem.system};
 
   Context context;
   const Options options = make_options(context, default_threads(problem.system.nx * problem.system.ny), problem.options);
@@ -105,7 +106,7 @@ ExitCode run_solve(const SolveArguments& arguments) {
   const int complete = files ? files->complete() : 0;
   StepSolver solver{contact.get(), problem};
   if (complete > 0) {
-    solver.restore(files->certified(), files->indentation());
+    solver.restore(files->certified(), files->indentation(), files->left());
     report(format("--resume: %d of %d steps are complete", complete, steps));
   }
 

@@ -11,7 +11,7 @@ StepSolver::StepSolver(rc_contact* contact, const Problem& problem)
   check(rc_gap_from_heights(static_cast<std::int64_t>(gap_.size()), RC_IN(gap_.data()), {}, RC_OUT(gap_.data())), "");
 }
 
-void StepSolver::restore(const std::vector<CertifiedStep>& certified, const std::vector<double>& indentation) {
+void StepSolver::restore(const std::vector<CertifiedStep>& certified, const std::vector<double>& indentation, const Left& left) {
   rc_state state = RC_STATE_INIT;
   state.undeformed_gap = RC_IN(gap_.data());
   state.mask = RC_IN(problem_.input.mask);
@@ -26,6 +26,8 @@ void StepSolver::restore(const std::vector<CertifiedStep>& certified, const std:
     state.load_before = certified[1].load;
   }
   if (!indentation.empty()) state.indentation = RC_IN(indentation.data());
+  if (!left.creep.empty()) state.creep = RC_IN(left.creep.data());
+  state.time = left.time;
   check(rc_contact_restore(contact_, &state), "--resume");
   gap_given_ = true;
 }
@@ -36,6 +38,7 @@ StepRecord StepSolver::solve(int number, Fields& fields) {
   step.target = problem_.step_target(static_cast<std::size_t>(number - 1));
   step.undeformed_gap.data = gap_given_ ? nullptr : gap_.data();
   step.mask.data = gap_given_ ? nullptr : problem_.input.mask;
+  step.time = problem_.step_time(static_cast<std::size_t>(number - 1));
   step.borrow = 1;
   gap_given_ = true;
 
@@ -46,6 +49,7 @@ StepRecord StepSolver::solve(int number, Fields& fields) {
   if (status > 0) record.message = last_message();
   check(status, format("step %d", number));
   if (!fields.indentation.empty()) check(rc_contact_indentation(contact_, RC_OUT(fields.indentation.data())), "");
+  if (!fields.creep.empty()) check(rc_contact_creep(contact_, RC_OUT(fields.creep.data()), nullptr), "");
   record.measures = measure(problem_, fields.pressure);
   return record;
 }

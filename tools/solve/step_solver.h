@@ -17,12 +17,18 @@ struct CertifiedStep {
   double approach = 0, load = 0;
 };
 
+// The creep that a step has left.
+struct Left {
+  std::vector<double> creep;
+  double time = 0;  // of the last certified step
+};
+
 class StepSolver {
  public:
   StepSolver(rc_contact* contact, const Problem& problem);
 
   // Goes on after a step of an earlier run. certified: the last two, newest first.
-  void restore(const std::vector<CertifiedStep>& certified, const std::vector<double>& indentation);
+  void restore(const std::vector<CertifiedStep>& certified, const std::vector<double>& indentation, const Left& left);
 
   // Steps count from 1. The fields get what the step has found.
   StepRecord solve(int number, Fields& fields);

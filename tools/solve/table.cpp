@@ -15,10 +15,12 @@ namespace {
 
 constexpr int digits = 4;
 
-std::string row(const std::string (&cells)[10], const std::string& status) {
+// time: an empty text without times.
+std::string row(const std::string& time, const std::string (&cells)[10], const std::string& status) {
   constexpr std::size_t widths[] = {4, 9, 9, 8, 12, 10, 13, 9, 8, 7};
   std::string line;
   for (std::size_t k = 0; k < std::size(cells); ++k) line += (k == 0 ? "" : " ") + right_aligned(cells[k], widths[k]);
+  if (!time.empty()) line.insert(widths[0], " " + right_aligned(time, 10));
   return line + "  " + status + "\n";
 }
 
@@ -42,13 +44,17 @@ void print_table_head(const Problem& problem) {
     text += "hardness " + with_prefix(system.hardness, "Pa", digits) +
             ": pressure is capped, the overlap is stored as plastic indentation\n";
   print(text +
-        row({"step", "load", "approach", "area", "max pressure", "stiffness", "mean pressure", "mean gap", "residual", "time"},
+        row(problem.times.empty() ? "" : "after",
+            {"step", "load", "approach", "area", "max pressure", "stiffness", "mean pressure", "mean gap", "residual", "time"},
             "status"));
 }
 
 void print_table_row(const Problem& problem, const StepRecord& step) {
   const rc_result& r = step.result;
-  std::string text = row({std::to_string(step.number), with_prefix(r.load, "N", digits), with_prefix(r.approach, "m", digits),
+  const std::string time =
+      problem.times.empty() ? "" : format("%.6g s", problem.step_time(static_cast<std::size_t>(step.number - 1)));
+  std::string text = row(time,
+                         {std::to_string(step.number), with_prefix(r.load, "N", digits), with_prefix(r.approach, "m", digits),
                           format("%.*g %%", digits, 100 * step.result.area_fraction),
                           with_prefix(step.result.max_pressure, "Pa", digits), with_prefix(r.stiffness, "N/m", digits),
                           with_prefix(r.mean_pressure, "Pa", digits), with_prefix(step.result.mean_gap, "m", digits),

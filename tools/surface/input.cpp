@@ -45,7 +45,7 @@ std::string SurfaceInput::preparation() const {
   }
   if (!shape.empty()) text += ", shape " + shape;
   for (const auto& [word, value] : words)
-    if (word == "layer") text += ", layer " + value;
+    if (word == "layer" || word == "creep" || word == "relaxation") text += ", " + word + " " + value;
   return text;
 }
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from contextlib import nullcontext
 from dataclasses import replace
-from typing import Any, Callable, Dict, Optional, Tuple
+from typing import Any, Callable, Dict, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from . import _constants
 from ._arrays import as_doubles, as_mask, as_switch, given
 from ._calls import Callbacks, conclude, interruptible, short_traceback
-from ._creep import Terms, let_creep, times_for
+from ._creep import Series, series_words, times_for
 from ._data_arrays import in_order
 from ._errors import ArgumentError, ShapeError, as_status
 from ._library import contact_library
@@ -46,9 +46,10 @@ def batch(
     keep_pressure: bool = False,
     each: Optional[Callable[[int, int, Result], object]] = None,
     check: bool = True,
-    time: Optional[ArrayLike] = None,
-    creep: Optional[Terms] = None,
-    relaxation: Optional[Terms] = None,
+    time: Optional[Union[str, ArrayLike]] = None,
+    creep: Optional[Series] = None,
+    relaxation: Optional[Series] = None,
+    steps: Optional[str] = None,
     system: Optional[System] = None,
     options: Options = None,
     progress: bool = False,
@@ -73,10 +74,11 @@ def batch(
     progress: whether a bar of the package tqdm shows how many steps are solved
     options: {"threads": 4} for four contacts at the same time, otherwise as many as there are cores, with `each` one;
         {"time_limit": 60} for seconds of the whole batch
-    time: [contacts, steps] or [steps]; creep, relaxation: as in `history`
+    time: [contacts, steps] or [steps]; creep, relaxation, steps: as in `history`
     the others, and the words: as in `solve`
     """
     given_words, options = split_words(batch, options, words, context)
+    given_words.update(series_words(creep=creep, relaxation=relaxation), steps=steps, time=time if isinstance(time, str) else None)
     leading = 0
     if heights is not None:
         if mask is not None and _is_sequence_of_surfaces(heights):
@@ -89,7 +91,7 @@ def batch(
     problem = pressed(
         _constants.RC_CALL_BATCH, heights, undeformed_gap, None if of_one_surface else mask, system, given_words, leading
     )
-    let_creep(problem.system, creep, relaxation, system is not None)
+    time = problem.request.times if time is None or isinstance(time, str) else time
     system, gaps, masks, what = problem.system, problem.gap, problem.mask, problem.needed()
     if of_one_surface:
         masks = as_mask(mask, "mask")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional, Sequence, Tuple
+from typing import Any, Dict, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,6 +13,7 @@ from ._errors import ArgumentError
 from ._structs import rc_system
 
 Terms = Sequence[Tuple[float, float]]  # pairs (ratio, time)
+Series = Union[str, Terms]  # or as the words creep and relaxation are written
 
 
 def give_creep(system: rc_system, creep: Optional[Terms], relaxation: Optional[Terms]) -> None:
@@ -30,13 +31,16 @@ def give_creep(system: rc_system, creep: Optional[Terms], relaxation: Optional[T
     given(system, creep_by=by, creep_terms=len(pairs), creep_ratio=ratio, creep_time=time)
 
 
-def let_creep(system: Any, creep: Optional[Terms], relaxation: Optional[Terms], given_by_caller: bool) -> None:
-    """Lets a system that a call has made creep."""
-    if creep is None and relaxation is None:
-        return
-    if given_by_caller:
-        raise ArgumentError(f"{'relaxation' if creep is None else 'creep'} and system are both given; it belongs to the system")
-    system.creep, system.relaxation = creep, relaxation
+def series_words(**series: Any) -> Dict[str, Any]:
+    """Series of a call as words: pairs (ratio, time), or texts."""
+    found = {}
+    for name, terms in series.items():
+        if terms is None:
+            continue
+        found[name] = terms if isinstance(terms, str) else as_doubles(terms, name)
+        if not isinstance(terms, str) and (found[name].ndim != 2 or found[name].shape[1] != 2):
+            raise ArgumentError(f"{name} has shape {found[name].shape}; pairs are needed: [(ratio, time), ...]")
+    return found
 
 
 def time_for(system: Any, time: Optional[float]) -> Optional[float]:

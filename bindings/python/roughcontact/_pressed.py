@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 from dataclasses import dataclass
 from typing import Any, Mapping, Optional
 
@@ -119,6 +120,14 @@ def _half_space(request: Request, shape: Shape) -> HalfSpace:
     system.shape, system.pitch, system.modulus = shape, (struct.hx, struct.hy), struct.modulus
     system.boundary = list(REPEATS)[struct.boundary - 1]
     system.periodic, system.hardness = REPEATS[system.boundary], struct.hardness or None
+    if struct.creep_terms:
+        ratio, time = (
+            np.ctypeslib.as_array(ctypes.cast(each.data, ctypes.POINTER(ctypes.c_double)), (struct.creep_terms,))
+            for each in (struct.creep_ratio, struct.creep_time)
+        )
+        terms = list(zip(ratio.tolist(), time.tolist()))
+        name = "creep" if struct.creep_by == _constants.RC_CREEP_COMPLIANCES else "relaxation"
+        setattr(system, name, terms)
     return system
 
 
@@ -168,8 +177,9 @@ def pressed(
             gap = (device_array if call == _constants.RC_CALL_SOLVE else as_doubles)(gap, "undeformed_gap")
     loading = None
     if view.n > 0:
-        name = view.loading.decode()
-        loading = _prescribed(
-            name, request.targets.reshape(np.shape(words[name]) if not isinstance(words[name], str) else -1), found
-        )
+        name, targets = view.loading.decode(), request.targets
+        given = words.get(name)
+        if given is not None and not isinstance(given, str) and np.size(given) == targets.size:
+            targets = targets.reshape(np.shape(given))
+        loading = _prescribed(name, targets, found)
     return Pressed(found, gap, points, loading, request)

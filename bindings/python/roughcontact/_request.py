@@ -204,6 +204,13 @@ class Request:
         found: Doubles = np.ctypeslib.as_array(self.view.targets, (self.view.n,)).copy()
         return found
 
+    @property
+    def times(self) -> Optional[Doubles]:
+        if not self.view.n_times:
+            return None
+        found: Doubles = np.ctypeslib.as_array(self.view.times, (self.view.n_times,)).copy()
+        return found
+
     @cached_property
     def remarks(self) -> List[rc_remark]:
         library, found = request_library(), []

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Optional
+from typing import Any, Callable, Optional, Union
 
 from numpy.typing import ArrayLike
 
 from . import _constants
 from ._calls import short_traceback
-from ._creep import Terms, let_creep
+from ._creep import Series, series_words
 from ._handle import Watch
 from ._history import history_on
 from ._history_result import HistoryResult
@@ -91,9 +91,10 @@ def history(
     want_gap: bool = False,
     each: Optional[Callable[[int, Result], object]] = None,
     check: bool = True,
-    time: Optional[ArrayLike] = None,
-    creep: Optional[Terms] = None,
-    relaxation: Optional[Terms] = None,
+    time: Optional[Union[str, ArrayLike]] = None,
+    creep: Optional[Series] = None,
+    relaxation: Optional[Series] = None,
+    steps: Optional[str] = None,
     system: Optional[System] = None,
     options: Options = None,
     progress: Watch = None,
@@ -112,15 +113,18 @@ def history(
         Status.STOP_CANCELLED; an exception ends it and is raised
     check: whether a step that is not certified raises `NotCertifiedError`. That, every other `RoughContactError` and
         `Interrupted` (Ctrl-C) have the steps that were completed as their `result`
-    time: of each step, if the bodies creep, in the unit of their times: pressures change linearly from step to step, two steps at
-        the same time are a jump, and before the first step the bodies are at rest
+    time: of each step, if the bodies creep, in the unit of their times or as a text, "0..1h:20": pressures change linearly from step
+        to step, two steps at the same time are a jump, and before the first step the bodies are at rest. A single target is kept
+        at all times
+    steps: a file of steps instead: a line for each, below the names of its columns, such as time and load
     creep: pairs (ratio, time) of the compliance, (1 + sum of ratio (1 - exp(-t/time))) times that at once, which E or modulus gives
-    relaxation: the same bodies by their modulus, (1 - sum of ratio (1 - exp(-t/time))) times that at once
+    relaxation: the same bodies by their modulus, (1 - sum of ratio (1 - exp(-t/time))) times that at once. Both also as texts,
+        "0.3:1s,0.2:1min"
     the others, and the words: as in `solve`
     """
     given, options = split_words(history, options, words, context)
+    given.update(series_words(creep=creep, relaxation=relaxation), steps=steps, time=time)
     what = pressed(_constants.RC_CALL_HISTORY, heights, undeformed_gap, mask, system, given)
-    let_creep(what.system, creep, relaxation, system is not None)
     with Contact(what.system, options=what.options(options), progress=progress, every=every, context=context) as contact:
         answer = history_on(
             contact,
@@ -134,6 +138,6 @@ def history(
             want_gap,
             each,
             check,
-            time,
+            what.request.times,
         )
     return answer._with(results=tuple(what.remarked(result) for result in answer.results))

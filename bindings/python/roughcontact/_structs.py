@@ -289,7 +289,7 @@ class rc_request_spec(Sized):
 class rc_problem_view(Sized):
     members = """size_t struct_size; rc_system system; doubles heights; bytes_ mask; int64_t maps missing; text loading;
     doubles targets; int64_t n; double metres; int32_t si periodic; text format; double viscosity pressure_drop;
-    int32_t along reserved"""
+    int32_t along reserved; doubles times; int64_t n_times"""
 
 
 @struct

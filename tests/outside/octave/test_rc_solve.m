@@ -131,4 +131,21 @@ warning ("on", "roughcontact:RC_STOP_MAX_ITER");
 rc_solve (z, short);
 [~, id] = lastwarn ();
 check ("a warning", strcmp (id, "roughcontact:RC_STOP_MAX_ITER"));
+
+% Bodies that creep, through their times: at a constant approach the load falls as the modulus does.
+soft = opts;
+soft.creep = "0.5:1s,1.5:1min"; soft.time = [0, logspace(-2, 4, 37)];
+[p, info] = rc_solve (z, soft);
+check ("a row for each time", isequal (info.history.time, soft.time') && all (info.history.status == 0));
+check ("the answer is of the last step", info.load == info.history.load(end));
+check ("the load falls", all (diff (info.history.load) < 1e-4 * info.load));
+check ("as the modulus", abs (3 * info.load - info.history.load(1)) < 0.01 * info.history.load(1));
+same = soft; same.creep = [0.5 1 1.5 60]; same.approach = 0.4 * ones (1, 38);
+[q, ~] = rc_solve (z, same);
+check ("numbers and texts are the same", isequal (p, q));
+for wrong = {"time", [1 0]; "time", [0 1 2]; "creep", "0.5"; "creep", "1:0"; "creep", "-1:1"; "relaxation", "0.3:1"}'
+  bad = soft; bad.approach = [0.1 0.2]; bad.time = [0 1]; bad.(wrong{1}) = wrong{2};
+  e = refused (z, bad);
+  check (e.message, strcmp (e.identifier, "roughcontact:RC_ERR_ARGUMENT") && any (strfind (e.message, ["opts." wrong{1}])));
+end
 printf ("all checks hold\n");

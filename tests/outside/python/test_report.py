@@ -106,6 +106,17 @@ def test_the_smooth_answer_and_the_leak_are_told(file):
         assert re.search(r" Leak \d\.\d·10⁻[⁰¹²³⁴⁵⁶⁷⁸⁹]+ m³/s \(", wording.conclusion(leaking)), wording.conclusion(leaking)
 
 
+def test_bodies_that_creep(file):
+    content = collected(file, "--creep", "0.5:1s,1.5:1min", "--pressure", "20MPa", "--time", "0,1,10,100,1000")
+    assert not content.curve and content.times == [0, 1, 10, 100, 1000] and content.persson is None
+    assert wording.conclusion(content).startswith("After 1000 s: Contact area")
+    assert wording.step_head(content)[:3] == ("step", "after", "load")
+    assert [row[1] for row in wording.step_rows(content)] == ["0 s", "1 s", "10 s", "100 s", "1000 s"]
+    assert any("compliance grows with time as 0.5:1s,1.5:1min says" in text for text in wording.assumptions(content))
+    assert len(set(map(len, [wording.step_head(content), *wording.step_rows(content)]))) == 1
+    assert with_curve(["--load", "1mN", "--steps=file.csv"])[1] is False
+
+
 def test_the_numbers_are_those_of_solve(file, rough):
     content = collected(file, "--pressure", "20MPa,100MPa", "--tol", "1e-8")
     assert len(content.steps) == 2 and content.certified and content.surface.periodic

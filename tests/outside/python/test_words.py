@@ -15,7 +15,7 @@ import pytest
 import roughcontact as rc
 from roughcontact import raw
 from roughcontact.report.run import read_arguments
-from word_rows import BASE, ELASTIC, FREE, RIGHT, STEPS, WRONG, write_files
+from word_rows import BASE, ELASTIC, FREE, IN_TIME, NOT_IN_TIME, RIGHT, STEPS, WRONG, write_files
 
 RANKS, LAW, ANALYZE = (getattr(raw, f"RC_CALL_{name}") for name in ("ROWS", "LAW", "ANALYZE"))
 BUILD = pathlib.Path(rc.library_file()).resolve().parents[1]
@@ -215,6 +215,59 @@ def test_the_same_steps(word, text, values, change, here, command):
                 assert {"OK": "RC_OK"}.get(own, own) == step[name], name
             else:
                 assert np.isnan(own) if step[name] is None else step[name] == pytest.approx(own, rel=1e-6), name
+
+
+def in_time(change):
+    """(door, the last step's numbers, or what it says), of doors that solve several steps"""
+    words = given(change)
+    named = {name.replace("-", "_"): value for name, value in words.items() if name != "surface"}
+    yield "history", of(lambda: numbers(rc.history(words["surface"], **named)[-1]))
+
+    def batch():
+        found = rc.batch(words["surface"], **named)
+        return found.load[0, -1], found.approach[0, -1], found.contact_area[0, -1] / (16e-6) ** 2
+
+    if "," in words.get("load", ",") or "steps" in words:  # a batch has a target for each time
+        yield "batch", of(batch)
+    if program():
+        found = summary_of(words)
+        yield "command", found if isinstance(found, str) else tuple(
+            found["steps"][-1][name] for name in ("load", "approach", "area_fraction")
+        )
+    if program("roughcontact-mpi"):
+        found = summary_of(words, program("roughcontact-mpi"))
+        yield "ranks", found if isinstance(found, str) else tuple(
+            found["steps"][-1][name] for name in ("load", "approach", "area_fraction")
+        )
+
+
+@pytest.mark.parametrize("group", IN_TIME)
+def test_the_same_answer_in_time(group, here):
+    first = None
+    for change in group:
+        found = dict(in_time(change))
+        want = found["history"]
+        assert not isinstance(want, str), (change, want)
+        first = first or want
+        assert want == pytest.approx(first, rel=1e-8, abs=0), (change, group)
+        for door, answer in found.items():
+            assert not isinstance(answer, str), (door, change, answer)
+            assert answer == pytest.approx(want, rel=1e-8 if door == "ranks" else 1e-12, abs=0), (door, change)
+
+
+@pytest.mark.parametrize("change, says", NOT_IN_TIME)
+def test_the_same_refusal_in_time(change, says, here):
+    found = dict(in_time(change))
+    found.pop("batch", None)  # its times may differ from contact to contact
+    assert len(set(found.values())) == 1 and says in found["history"], (change, found)
+    assert not pathlib.Path("roughcontact.out", "pressure-1.npy").exists()
+
+
+def test_a_history_is_no_word_of_one_step(here):
+    words = given({"creep": "1:1"})
+    for door, said in doors(words, False):
+        if door in ("solve", "array"):
+            assert "creep" in said, (door, said)
 
 
 @pytest.mark.parametrize("word", [word for word in RIGHT if RIGHT[word] and TAKEN[word] & LAW and TAKEN[word] & ANALYZE])

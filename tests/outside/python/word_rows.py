@@ -21,12 +21,13 @@ def change(text):
 
 
 def table():
-    """({word: groups of changes with one answer}, {word: (change, what the message says)}, (word, steps, their values))"""
-    right, wrong, steps = {}, {}, []
+    """({word: groups of changes with one answer}, {word: (change, what the message says)}, (word, steps, their values), the same
+    groups and changes of steps in time)"""
+    right, wrong, steps, timed, untimely = {}, {}, [], [], []
     for line in TABLE.read_text("utf-8").splitlines():
         kind, _, rest = line.partition(" ")
         row, _, says = rest.rpartition(" => ")
-        if line.startswith("[") and line != "[steps]":
+        if line.startswith("[") and line not in ("[targets]", "[in time]"):
             word = line[1:-1]
             right[word] = []
         elif kind == "same":
@@ -35,10 +36,14 @@ def table():
             wrong.setdefault(word, []).append((change(row), says))
         elif kind == "steps":
             steps.append((*row.split(), [float(each) for each in says.split()]))
-    return right, wrong, steps
+        elif kind == "timed":
+            timed.append(tuple(map(change, rest.split(" | "))))
+        elif kind == "untimely":
+            untimely.append((change(row), says))
+    return right, wrong, steps, timed, untimely
 
 
-RIGHT, WRONG, STEPS = table()
+RIGHT, WRONG, STEPS, IN_TIME, NOT_IN_TIME = table()
 
 
 def tiff(values):
@@ -75,6 +80,16 @@ def write_files(folder):
     maps.update(wedge=rough - np.abs(y) * slope, ridge=rough - np.abs(x) * slope)
     for name, z in maps.items():
         np.save(folder / f"{name}.npy", z)
+    for name, text in (
+        ("steps", "# of a press\ntime [s],load\n0,10uN\n1,1e-2mN\n\n10s,10uN\n1h,10uN\n"),
+        ("elastic", "load [uN]\n10\n20\n"),
+        ("short", "time,load\n0,1uN\n1\n"),
+        ("nameless", "time,force\n0,1uN\n"),
+        ("both", "load;approach\n1uN;1nm\n"),
+        ("empty", "load\n"),
+        ("back", "time\tload\n2\t1uN\n1\t1uN\n"),
+    ):
+        (folder / f"{name}.csv").write_text(text)
     (folder / "grey.tif").write_bytes(tiff((rough - rough.min()) / np.ptp(rough) * 65535))
     fine = rc.surface.spectral((20, 20), pitch=0.8e-6, rms_height=1e-7, hurst=0.8, seed=4, q_high=1.5e6)
     rc.Surface(fine.heights, 0.8e-6, False, unit="m").save(folder / "fine.gsf")

@@ -64,6 +64,41 @@ class Resume(CommandTest):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assert_fails(*common, "--against", "third.npy", "--approach", "1e-7,2e-7", "--resume", says="checksum")
 
+    def test_what_knows_no_time_is_refused(self):
+        creep = ["solve", self.surface, *PRESS, "--creep", "1:1s"]
+        timed = [*creep, "--load", "1mN", "--time", "0,1s"]
+        self.assert_fails(*timed, "--budget", "E=5%", says="--budget is of elastic bodies")
+        self.assert_fails(*creep, "--closing-pressure", "x", says="--closing-pressure is of elastic bodies")
+        for command in ("analyze", "law"):
+            self.assert_fails(command, self.surface, "--creep", "1:1s", says="has no option")
+        self.assert_fails(*timed, "--out", "made", "--set", "tol=-1", says="tol")
+
+    def test_bodies_that_creep_go_on(self):
+        targets, times = ["5e-8", "1e-7", "1e-7", "9e-8", "2e-7"], ["0", "1", "30", "30", "60"]
+        creep = ["--creep", "0.5:1s,1.5:20s", "--hardness", "5e7", "--quiet"]
+        whole, cut = self.folder / "whole", self.folder / "out"
+        self.press(",".join(targets), whole, *creep, "--time", ",".join(times))
+        for steps in range(1, len(targets) + 1):
+            self.press(",".join(targets[:steps]), cut, "--resume", *creep, "--time", ",".join(times[:steps]))
+        assert_same_results(self, cut, whole)
+        self.assertEqual([path.name for path in whole.glob("creep-*")], ["creep-5.npy"])
+        self.assertEqual(np.load(whole / "creep-5.npy").shape, (3 * 32, 40))
+        summary = said(whole)
+        self.assertEqual(summary["input"]["creep"], {"ratios": [0.5, 1.5], "times": [1, 20]})
+        self.assertEqual([step["time"] for step in summary["steps"]], summary["input"]["times"])
+        self.assertEqual([float(row["time [s]"]) for row in rows(whole)], summary["input"]["times"])
+        again = [*PRESS, "--approach", ",".join([*targets, "1e-7"]), *creep]
+        self.assert_refused(*again, "--time", "0,2,30,30,60,70", says="time of step 2 1, this one has 2")
+        self.assert_refused(*again, "--time", "0,1,30,30,60,50", says="step 6 is at 50, before step 5 at 60")
+        self.assert_refused(*[word.replace("1.5:20s", "1.5:21s") for word in again], "--time", "0,1,30,30,60,70", says="20")
+        kept = (cut / "creep-5.npy").read_bytes()
+        np.save(cut / "creep-5.npy", np.zeros((32, 40)))
+        self.assert_refused(*again, "--time", "0,1,30,30,60,70", says="creep-5.npy has 40 x 32 points, the surface has 40 x 32, and 3 maps are needed")
+        (cut / "creep-5.npy").unlink()
+        self.assert_refused(*again, "--time", "0,1,30,30,60,70", says="creep-5.npy")
+        (cut / "creep-5.npy").write_bytes(kept)
+        self.assertEqual(self.press(",".join([*targets, "1e-7"]), cut, "--resume", *creep, "--time", "0,1,30,30,60,70").returncode, 0)
+
     def test_a_plastic_history_goes_on(self):
         yielding = ["--hardness", "2e7", "--solver", "polonsky-keer", "--quiet"]
         for control, targets in (("--approach", ["1e-7", "2e-7", "1.9e-7", "3e-8", "2.5e-7"]), ("--pressure", ["1e5", "1e6", "9e5", "1e4", "2e6"])):

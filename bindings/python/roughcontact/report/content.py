@@ -99,6 +99,11 @@ class Content:
         return self.input.get("hardness")
 
     @property
+    def times(self) -> Optional[List[float]]:
+        """Of the steps, if the bodies creep."""
+        return [step.time for step in self.steps] if "times" in self.input else None
+
+    @property
     def version(self) -> str:
         return str(self.input["library_version"])
 
@@ -115,7 +120,7 @@ class Content:
     def persson(self) -> Optional[float]:
         s = self.statistics
         gaussian = s is not None and abs(s.skewness) < 1 and 2.3 < s.kurtosis < 5  # 0 and 3 for a Gaussian, 1.5 for a wave
-        smooth = "shape" in self.words or self.hardness
+        smooth = "shape" in self.words or self.hardness or self.times is not None
         return s.rms_slope if s and gaussian and self.surface.periodic and not smooth else None
 
     @property

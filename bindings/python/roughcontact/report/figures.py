@@ -140,7 +140,37 @@ class Figures:
         caption += " Persson's line is erf(√2 p/(E* h′)) with the rms slope h′ of the map." if c.persson else ""
         return Figure("area", "Contact area against load", caption, figure)
 
+    def of_time(self) -> List[Figure]:
+        """Area and load against the time; on a logarithmic axis, without what is at or before 0, if times spread."""
+        times = np.array(self.content.times, float)
+        later = times[times > 0]
+        spread = later.size > 2 and later.max() > SPREAD * later.min()
+        text = [f"step {k}, {status(step)}" for k, step in enumerate(self.content.steps, 1)]
+        found = []
+        force, prefix = prefix_for(self.loads.max())
+        for key, title, values, unit in (
+            ("area-time", "Contact area against time", 100 * self._each("area_fraction"), "%"),
+            ("load-time", "Load against time", self.loads / force, f"{prefix}N"),
+        ):
+            points = self.graph.Scatter(
+                x=times,
+                y=values,
+                text=text,
+                mode="lines+markers",
+                line={"color": RED},
+                hovertemplate=f"%{{x:.4g}} s: %{{y:.4g}} {unit}<br>%{{text}}<extra></extra>",
+            )
+            figure = self._figure([points], "time [s]", f"{title.split(' against')[0].lower()} [{unit}]")
+            figure.update_yaxes(rangemode="tozero")
+            if spread:
+                figure.update_xaxes(LOG)
+            caption = f"The bodies creep. At {times[0]:g} s {values[0]:.3g} {unit}, at {times[-1]:g} s {values[-1]:.3g} {unit}."
+            found.append(Figure(key, title, caption, figure))
+        return found
+
     def curves(self) -> List[Figure]:
+        if self.content.times is not None:
+            return self.of_time()
         found = [self.area()]
         for key, name, unit, y_log, caption in (
             ("gap", "mean gap", "m", False, "Of the deformed bodies, over all points."),

@@ -35,7 +35,7 @@ def page(content: Content) -> str:
         "conclusion": wording.conclusion(content),
         "certificate": wording.certificate(content),
         "doubts": wording.doubts(content),
-        "step_head": wording.STEP_HEAD,
+        "step_head": wording.step_head(content),
         "steps": wording.step_rows(content),
         "leak_head": wording.LEAK_HEAD,
         "leaks": wording.leak_rows(content),

@@ -13,6 +13,7 @@ from .._errors import ArgumentError
 
 CURVE_POINTS, CURVE_SPAN = 10, 100  # of the history up to a single target, and how far below that it begins
 LOADING = ("--approach", "--load", "--pressure", "--area")
+IN_TIME = ("--creep", "--relaxation", "--time", "--steps")  # with these the steps are as given
 
 
 class SolveFailed(Exception):
@@ -58,6 +59,8 @@ def _steps_to(target: str) -> Optional[str]:
 def with_curve(words: Sequence[str]) -> Tuple[List[str], bool]:
     """The words with steps up to a single target, and whether these were added."""
     found = list(words)
+    if any(word.partition("=")[0] in IN_TIME for word in words):
+        return found, False
     for k, word in enumerate(words):
         name, joined, value = word.partition("=")
         if name not in LOADING or not (joined or k + 1 < len(words)):

@@ -49,7 +49,8 @@ def conclusion(content: Content) -> str:
 def _conclusion(content: Content, last: Step) -> str:
     if not last.contacts:
         return f"Load {with_prefix(last.load, 'N')}, no contact."
-    line = "" if last.status in (Status.OK, Status.WITHIN_GOAL) else f"Not certified ({status(last)}): "
+    line = "" if content.times is None else f"After {last.time:.6g} s: "
+    line += "" if last.status in (Status.OK, Status.WITHIN_GOAL) else f"Not certified ({status(last)}): "
     line += f"Contact area {100 * last.area_fraction:.3g} % at {with_prefix(last.load, 'N')}; "
     hardness = content.hardness
     if hardness and last.capped:
@@ -82,10 +83,11 @@ def facts(content: Content) -> List[str]:
 
 
 def step_rows(content: Content) -> List[Tuple[str, ...]]:
-    """One row a step, below `STEP_HEAD`."""
+    """One row a step, below `step_head`."""
     return [
         (
             str(k),
+            *([f"{step.time:.6g} s"] if content.times is not None else []),
             with_prefix(step.load, "N", 4),
             with_prefix(step.mean_pressure, "Pa", 4),
             with_prefix(step.approach, "m", 4),
@@ -114,6 +116,12 @@ STEP_HEAD = (
     "patches",
     "status",
 )
+
+
+def step_head(content: Content) -> Tuple[str, ...]:
+    return STEP_HEAD if content.times is None else ("step", "after", *STEP_HEAD[1:])
+
+
 LEAK_HEAD = ("step", "load", "leak", "exact, at this approach", "lowest gap on the best path")
 
 
@@ -304,6 +312,9 @@ def assumptions(content: Content) -> List[str]:
         )
     else:
         lines.append("Linear elastic at every pressure; no hardness was given.")
+    for word, what in (("creep", "compliance grows"), ("relaxation", "modulus falls")):
+        if word in words:
+            lines.append(f"The bodies creep: their {what} with time as {words[word]} says, Poisson's ratio stays.")
     layer = f"a layer on it ({words['layer']})" if "layer" in words else "no layers"
     lines.append(f"Small slopes, an elastic half-space, no adhesion, no friction, {layer}.")
     if content.curve:
