@@ -263,11 +263,9 @@ def test_the_same_refusal_in_time(change, says, here):
     assert not pathlib.Path("roughcontact.out", "pressure-1.npy").exists()
 
 
-def test_a_history_is_no_word_of_one_step(here):
-    words = given({"creep": "1:1"})
-    for door, said in doors(words, False):
-        if door in ("solve", "array"):
-            assert "creep" in said, (door, said)
+def test_one_step_has_no_time(here):
+    with pytest.raises(TypeError, match="creep"):
+        rc.solve("surface.npy", **BASE, creep="1:1")
 
 
 @pytest.mark.parametrize("word", [word for word in RIGHT if RIGHT[word] and TAKEN[word] & LAW and TAKEN[word] & ANALYZE])
