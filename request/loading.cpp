@@ -173,6 +173,10 @@ void set_boundary(const Words& words, rc_request& request) {
   };
   if (words.find("boundary")) {
     boundary = RC_BOUNDARY_FREE + static_cast<std::int32_t>(words.chosen("boundary"));
+    if (request.layered && (boundary == RC_BOUNDARY_PERIODIC_X || boundary == RC_BOUNDARY_PERIODIC_Y))
+      throw Error(words.spelt("boundary"),
+                  ": a layer has free or periodic edges; give free with several periods of the map, or periodic "
+                  "with a margin across that nothing touches");
   } else if (words.call == RC_CALL_ANALYZE) {
     boundary = periodic == 1 ? RC_BOUNDARY_PERIODIC : RC_BOUNDARY_FREE;
   } else if (request.shape || periodic == 0) {

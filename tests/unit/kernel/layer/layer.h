@@ -24,6 +24,13 @@ struct Layer {
 double gao_modulus_share(double xi, double poisson);
 double gao_poisson_share(double xi);
 
+/** Coefficients of rows that layer_reference.py has written; errors are divided by the largest coefficient. */
+struct Checks {
+  int rows = 0, beyond = 0;
+  double worst = 0;
+};
+Checks check_rows(const char* file, double tolerance);
+
 extern const std::vector<CMUnitTest> value_tests, solve_tests;
 
 }  // namespace layer
