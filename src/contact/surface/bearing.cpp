@@ -5,6 +5,8 @@
 #include <roughcontact/plugin.hpp>
 #include <vector>
 
+#include "contact/surface/step_surface.h"
+#include "core/rows.h"
 #include "core/start_terms.h"
 
 namespace rc {
