@@ -65,6 +65,20 @@ void a_mean_pressure_is_a_load(std::int32_t boundary) {
   check_status(judged, RC_OK, "certified at the mean pressure");
 }
 
+// A solver that only knows approaches meets a load within the tolerance; its pressures then still fit the approach, to round-off.
+void the_approach_fits_the_pressures(std::int32_t boundary) {
+  double largest_miss = 0;
+  for (const double share : {0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 0.9}) {
+    const Problem problem = rough(boundary);
+    const Problem by_load = at_load(problem, share * solved(problem, automatic, settings).result.load);
+    const Answer found = solved(by_load, {"nnls", "dense"}, {{RC_OPT_TOL, "0.1"}});
+    check_near(found.result.kkt_dual, 0, 1e-10, "overlap of the pressures' own approach");
+    check_near(found.result.kkt_complementarity, 0, 1e-10, "gap below the pressures");
+    largest_miss = std::max(largest_miss, found.result.kkt_control);
+  }
+  check(largest_miss > 1e-6, "each load is met to round-off: nothing is tested");
+}
+
 const Field shares = {0.02, 0.1, 0.3, 0.05, 0, 0.2};
 
 Field areas(const Problem& problem) {
@@ -336,6 +350,7 @@ std::vector<Test> tests() {
     };
     add("an_area_is_met", an_area_is_met);
     add("a_mean_pressure_is_a_load", a_mean_pressure_is_a_load);
+    add("the_approach_fits_the_pressures", the_approach_fits_the_pressures);
     add("a_history_meets_each_area", a_history_meets_each_area);
     add("a_body_that_yields_keeps_no_trace_of_other_loads", a_body_that_yields_keeps_no_trace_of_other_loads);
     for (const std::int32_t control : {RC_CONTROL_AREA, RC_CONTROL_PRESSURE})
