@@ -1,7 +1,7 @@
 from conan import ConanFile
-from conan.tools.build import check_min_cppstd
+from conan.tools.build import stdcpp_library
 from conan.tools.cmake import CMake, CMakeDeps, CMakeToolchain, cmake_layout
-from conan.tools.files import copy, get, rmdir
+from conan.tools.files import copy, get, rm, rmdir
 
 required_conan_version = ">=2.0"
 
@@ -20,6 +20,12 @@ class RoughcontactConan(ConanFile):
     default_options = {"shared": True, "fPIC": True, "formats": False}
     implements = ["auto_shared_fpic"]
 
+    def configure(self):
+        # Its interface is in C: it compiles as C++20 whatever standard the profile has.
+        if self.options.shared:
+            self.options.rm_safe("fPIC")
+        self.settings.rm_safe("compiler.cppstd")
+
     def layout(self):
         cmake_layout(self, src_folder="src")
 
@@ -29,9 +35,6 @@ class RoughcontactConan(ConanFile):
             self.requires("libzip/1.10.1")
             self.requires("pugixml/1.14")
             self.requires("zlib/[>=1.2.11 <2]")
-
-    def validate(self):
-        check_min_cppstd(self, 20)
 
     def source(self):
         get(self, "@ARCHIVE@", sha256="@SHA256@", strip_root=True)
@@ -43,6 +46,7 @@ class RoughcontactConan(ConanFile):
             toolchain.cache_variables[part] = False
         toolchain.cache_variables["RC_BUILD_FORMATS"] = bool(self.options.formats)
         toolchain.cache_variables["RC_BUILD_MPI"] = "OFF"
+        toolchain.cache_variables["RC_BUILD_FLOW"] = "OFF"
         toolchain.cache_variables["RC_CUDA"] = "OFF"
         # Without plugins under the GPL. A static library has its backends built in.
         toolchain.cache_variables["RC_BUILTIN_BACKENDS"] = "dense" if self.options.shared else "dense;fft"
@@ -56,7 +60,10 @@ class RoughcontactConan(ConanFile):
 
     def package(self):
         copy(self, "LICENSE", self.source_folder, f"{self.package_folder}/licenses")
-        CMake(self).install()
+        cmake = CMake(self)
+        for component in ["runtime", "development"] + (["formats", "request"] if self.options.formats else []):
+            cmake.install(component=component)
+        rm(self, "*.a" if self.options.shared else "lib*.so*", f"{self.package_folder}/lib")
         rmdir(self, f"{self.package_folder}/lib/cmake")
         rmdir(self, f"{self.package_folder}/lib/pkgconfig")
         rmdir(self, f"{self.package_folder}/share")
@@ -67,9 +74,10 @@ class RoughcontactConan(ConanFile):
         core.set_property("cmake_target_name", "roughcontact::roughcontact")
         core.set_property("pkg_config_name", "roughcontact")
         core.libs = ["roughcontact"]
-        core.requires = ["eigen::eigen"]
         if self.settings.os in ("Linux", "FreeBSD"):
             core.system_libs = ["m", "pthread", "dl"]
+        if not self.options.shared and stdcpp_library(self):
+            core.system_libs.append(stdcpp_library(self))
         if self.options.formats:
             formats = self.cpp_info.components["formats"]
             formats.set_property("cmake_target_name", "roughcontact::formats")

@@ -17,6 +17,7 @@ class Roughcontact(CMakePackage):
 
     variant("tools", default=True, description="The command roughcontact")
     variant("cholmod", default=True, description="Backend cholmod, factorisations by SuiteSparse")
+    variant("flow", default=True, description="The library of leaks, and leaks in the command")
     variant("python", default=True, description="The Python package")
     variant("mpi", default=False, description="Contacts shared by ranks of MPI")
     variant("cuda", default=False, description="Backend for CUDA devices")
@@ -39,6 +40,7 @@ class Roughcontact(CMakePackage):
     depends_on("pugixml")
     depends_on("zlib-api")
     depends_on("suite-sparse", when="+cholmod")
+    depends_on("suite-sparse", when="+flow")
     depends_on("cli11", when="+tools", type="build")
     depends_on("nlohmann-json", when="+tools", type="build")
     depends_on("python@3.9:", when="+python", type=("build", "run"))
@@ -51,6 +53,7 @@ class Roughcontact(CMakePackage):
         args = [
             self.define("CMAKE_INSTALL_LIBDIR", "lib"),  # where the Python package looks
             self.define_from_variant("RC_BUILD_TOOLS", "tools"),
+            self.define_from_variant("RC_BUILD_FLOW", "flow"),
             self.define_from_variant("RC_BUILD_MPI", "mpi"),
             self.define_from_variant("RC_CUDA", "cuda"),
             self.define_from_variant("RC_READ_HDF5", "hdf5"),

@@ -23,6 +23,7 @@ vcpkg_cmake_configure(
     -DRC_BUILD_TOOLS=OFF
     -DRC_BUILD_SURFACE=OFF
     -DRC_BUILD_MPI=OFF
+    -DRC_BUILD_FLOW=OFF
     -DRC_CUDA=OFF
 )
 vcpkg_cmake_install()

@@ -42,6 +42,13 @@ def main() -> int:
     for name in RECIPES:
         for option in set(re.findall(r"\bRC_[A-Z_]+\b", (source / name).read_text())) - options:
             wrong.append(f"{name} sets {option}, which no CMakeLists.txt declares")
+    packaging = source / "packaging"
+    ours = {name: parts.split() for name, parts in re.findall(r"^rc_package\((\S+) COMPONENTS ([a-z -]+)", (packaging / "packages.cmake").read_text(), re.M)}
+    rules = {name: parts.split() for name, parts in re.findall(r"^PARTS_(\S+) = (.*)$", (packaging / "debian/rules").read_text(), re.M)}
+    control = set(re.findall(r"^Package: (\S+)", (packaging / "debian/control").read_text(), re.M))
+    for name in sorted(ours.keys() | rules.keys() | control):
+        if name not in control or ours.get(name) != rules.get(name):
+            wrong.append(f"{name}: {ours.get(name)} in packaging/packages.cmake, {rules.get(name)} in debian/rules, in debian/control: {name in control}")
     known = {"g++"}  # of build-essential
     for file in (source / "scripts").glob("packages*.txt"):
         known |= set(file.read_text().split())
