@@ -9,6 +9,8 @@ STYLES = ['lc rgb "#000000" dt 1 pt 7', 'lc rgb "#D55E00" dt (12,4) pt 9', 'lc r
 FILTERS = {'subsample': 'pt 9 lc rgb "#D55E00"', 'mean': 'pt 5 lc rgb "#0072B2"', 'max': 'pt 13 lc rgb "#E69F00"'}  # of cascades
 OPEN_MARKERS = [6, 8, 4, 12, 10, 14]  # the same shapes, hollow
 PROPORTIONAL = 'lw 1.2 lc rgb "#888888" dt (2,4)'
+GREY, DASHED = ('lines lw 2 lc rgb "#888888" dt ' + dash for dash in ('1', '(8,5)'))  # of theories
+LINEAR = 'unset logscale\nset format "%g"\nset xtics autofreq\nset ytics autofreq\n'
 
 HEAD = '''set terminal pngcairo size {width},{height} font "DejaVu Sans,11" linewidth 1.2
 height = {height}.
@@ -43,6 +45,14 @@ def line(look):
 
 def style(number):
     return line(STYLES[number % len(STYLES)])
+
+
+def colour(number):
+    return STYLES[number].split(' dt ')[0]
+
+
+def hollow(number):
+    return f'points ps 1.3 lw 1.4 {colour(number)} pt {OPEN_MARKERS[number]}'
 
 
 def axes(xlabel, ylabel, x, y, more=''):

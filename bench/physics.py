@@ -9,7 +9,7 @@ import numpy as np
 import roughcontact as rc
 
 from case import Failure
-from charts import OPEN_MARKERS, STYLES, Panels, axes, style
+from charts import DASHED, GREY, LINEAR, Panels, axes, colour, hollow, style
 from contact import OK, status_of
 from options import ALL_THREADS, listed, question, ranged, side
 from samples import groups, solved
@@ -29,9 +29,7 @@ LIGHT = 0.04  # area and load are proportional up to this pressure
 FITTED = (0.01, 0.2)  # pressure falls exponentially with the mean gap
 PERSSON, BUSH = math.sqrt(8 / math.pi), math.sqrt(2 * math.pi)
 PRESSURE, PLAIN = 'mean pressure / (E* rms slope)', 'set format "%g"\n'
-LINEAR = 'unset logscale\nset format "%g"\nset xtics autofreq\nset ytics autofreq\n'
 FREE, PRESSED = ('*', '*'), (0.003, 3)
-GREY, DASHED = ('lines lw 2 lc rgb "#888888" dt ' + dash for dash in ('1', '(8,5)'))
 CURVE = ('p / (E* slope)={pressure:g}; A/A0 [%]={area:%.2f}; corrected [%]={corrected_area:%.2f}; Persson [%]={persson:%.2f}; '
          'κ, corrected={corrected_ratio[mean]:.2f}; mean gap / rms={mean_gap:.3f}; p / (K rms)={decay:.3f}; patches={patches:.0f}; '
          'largest [% of the contact]={largest_patch:%.0f}')
@@ -190,14 +188,6 @@ def run(request):
     show(MESHES, meshes)
     print('With a hardness, in growing steps')
     show(HARD, hard)
-
-
-def colour(number):
-    return STYLES[number].split(' dt ')[0]
-
-
-def hollow(number):
-    return f'points ps 1.3 lw 1.4 {colour(number)} pt {OPEN_MARKERS[number]}'
 
 
 def curve(document, key):

@@ -13,7 +13,7 @@ import published_forms as forms
 import published_leak as leaks
 import published_rough as rough
 import published_slip as slips
-from charts import OPEN_MARKERS, PROPORTIONAL, Panels, STYLES, axes, style
+from charts import DASHED, GREY, LINEAR, PROPORTIONAL, STYLES, Panels, axes, hollow, style
 from json_tables import load
 from options import ALL_THREADS, listed, question, ranged, side
 from samples import groups, slope
@@ -327,13 +327,7 @@ def summary(document):
     return found
 
 
-def hollow(number):
-    return f'points ps 1.3 lw 1.4 {STYLES[number].split(" dt ")[0]} pt {OPEN_MARKERS[number]}'
-
-
-GREY, DASHED = ('lines lw 2 lc rgb "#888888" dt ' + dash for dash in ('1', '(8,5)'))
 PLAIN = 'set logscale xy\nset format "%g"\n'
-LINEAR = 'unset logscale\nset format "%g"\nset xtics autofreq\nset ytics autofreq\n'
 
 
 def forms_picture(document, file):
