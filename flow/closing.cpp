@@ -66,9 +66,9 @@ class Press {
     }
     Gap gap = layout_.arranged(contact_gap(system_, result, mask, error, true));
     State state{Proof::neither, result.load_lower / area, result.load_upper / area, result.area_fraction, 0};
-    if (!find_paths(layout_.grid, gap.most, Find::cells).any()) {
+    if (!find_paths(layout_.grid, gap.most).any()) {
       state.proof = Proof::closed;
-    } else if (find_paths(layout_.grid, gap.least, Find::cells).any()) {
+    } else if (find_paths(layout_.grid, gap.least).any()) {
       state.proof = Proof::open;
       state.constriction = find_paths(layout_.grid, gap.computed, Find::constriction).constriction;
     }

@@ -38,7 +38,7 @@ Conductance conductance(const Grid& grid, Gap gap, const Wanted& wanted) {
   for (auto* each : {&gap.least, &gap.computed, &gap.most})
     for (double& g : *each) g /= highest;
 
-  const Paths possible = find_paths(grid, gap.most, Find::cells);
+  const Paths possible = find_paths(grid, gap.most);
   if (!possible.any()) return answer;
   const auto best = [&](const std::vector<double>& of) { return grid.cell ? Paths{} : find_paths(grid, of, Find::constriction); };
   const Paths of_gap = best(gap.computed);

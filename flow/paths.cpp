@@ -1,34 +1,48 @@
 #include "paths.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <queue>
+#include <utility>
 
 namespace rc::flow {
 
 namespace {
 
-constexpr Side across_sides[] = {Side::left, Side::right, Side::above, Side::below};
+constexpr std::pair<Side, Side> sides_and_opposites[] = {
+    {Side::left, Side::right}, {Side::right, Side::left}, {Side::above, Side::below}, {Side::below, Side::above}};
 
-Side opposite(Side side) {
-  switch (side) {
-    case Side::left:
-      return Side::right;
-    case Side::right:
-      return Side::left;
-    case Side::above:
-      return Side::below;
-    case Side::below:
-      return Side::above;
-    default:
-      return side;
+// Cells that wait, by height: in four levels an octave, each in order of arrival. That is a tree of the widest paths but for the
+// width of a level, in linear time.
+class Border {
+ public:
+  void push(std::int32_t cell, double gap) {
+    const std::size_t level = level_of(gap);
+    cells_[level].push_back(cell);
+    highest_ = std::min(highest_, level);
   }
-}
+  // Of the highest level; `outside`: none is left.
+  std::int64_t pop() {
+    for (; highest_ < cells_.size(); ++highest_) {
+      if (std::size_t& next = next_[highest_]; next < cells_[highest_].size()) return cells_[highest_][next++];
+      cells_[highest_].clear();
+      next_[highest_] = 0;
+    }
+    return outside;
+  }
 
-struct Frontier {
-  double gap;
-  std::int32_t cell;
-  Side parent;
-  bool operator<(const Frontier& other) const { return gap != other.gap ? gap < other.gap : cell > other.cell; }
+ private:
+  static constexpr std::size_t levels = 160;
+  static std::size_t level_of(double gap) {
+    constexpr int drop = 50;  // bits of the fraction
+    const std::uint64_t one = std::bit_cast<std::uint64_t>(1.0) >> drop, bits = std::bit_cast<std::uint64_t>(gap) >> drop;
+    return bits < one ? static_cast<std::size_t>(std::min<std::uint64_t>(one - bits, levels - 1)) : 0;
+  }
+
+  std::array<std::vector<std::int32_t>, levels> cells_;
+  std::array<std::size_t, levels> next_{};
+  std::size_t highest_ = levels;
 };
 
 class Search {
@@ -37,42 +51,45 @@ class Search {
     found_.parent.assign(gap.size(), Side::none);
   }
 
-  // Always steps to the highest cell at the border of those reached (Prim): the tree has the widest paths, and the lowest step
-  // until the outlet is the constriction.
-  void from_inlet(bool until_outlet) {
-    for (std::int64_t y = 0; y < grid_.ny; ++y) push(y * grid_.nx, Side::inlet);
-    double lowest = infinity;
+  // The lowest step until the outlet if each is to the highest cell at the border of those reached.
+  void constriction() {
+    std::priority_queue<std::pair<double, std::int64_t>> lower;
+    std::vector<std::int64_t> ready;
+    double lowest = std::numeric_limits<double>::infinity();
     std::int64_t place = outside;
-    bool arrived = false;
-    grow([&](const Frontier& next) {
-      if (next.gap < lowest) {
-        lowest = next.gap;
-        place = next.cell;
-      }
-      if (arrived || next.cell % grid_.nx + 1 != grid_.nx) return true;
-      arrived = true;
-      found_.constriction = lowest;
-      found_.place = place;
-      return !until_outlet;
-    });
-    if (!until_outlet) keep_if_crossing();
-  }
-
-  // Reaches the same cells in any order.
-  void flood() {
     const auto reach = [&](std::int64_t i, Side parent) {
-      const auto at = static_cast<std::size_t>(i);
-      if (!(gap_[at] > 0) || found_.on(i)) return;
-      found_.parent[at] = parent;
-      found_.order.push_back(static_cast<std::int32_t>(i));
+      const double g = gap_[static_cast<std::size_t>(i)];
+      if (!(g > 0) || found_.on(i)) return;
+      found_.parent[static_cast<std::size_t>(i)] = parent;
+      if (g < lowest)
+        lower.emplace(g, -i);
+      else
+        ready.push_back(i);
     };
     for (std::int64_t y = 0; y < grid_.ny; ++y) reach(y * grid_.nx, Side::inlet);
-    for (std::size_t k = 0; k < found_.order.size(); ++k) {
-      if (k % 65536 == 0) stop_if_asked();
-      const std::int32_t i = found_.order[k];
-      for (const Side side : across_sides)
-        if (const std::int64_t other = neighbour(grid_, i, side); other != outside) reach(other, opposite(side));
+    for (std::size_t steps = 0;; ++steps) {
+      if (steps % 65536 == 0) stop_if_asked();
+      if (ready.empty()) {
+        if (lower.empty()) return;
+        lowest = lower.top().first;
+        place = -lower.top().second;
+        ready.push_back(place);
+        lower.pop();
+      }
+      const std::int64_t i = ready.back();
+      ready.pop_back();
+      if (i % grid_.nx + 1 == grid_.nx) {
+        found_.constriction = lowest;
+        found_.place = place;
+        return;
+      }
+      each_neighbour(i, reach);
     }
+  }
+
+  void from_inlet() {
+    for (std::int64_t y = 0; y < grid_.ny; ++y) reach(y * grid_.nx, Side::inlet);
+    grow();
     keep_if_crossing();
   }
 
@@ -82,15 +99,17 @@ class Search {
     std::size_t begin = 0;
     for (std::int64_t i = 0; i < grid_.size(); ++i) {
       if (found_.on(i)) continue;
-      push(i, Side::inlet);
-      grow([&](const Frontier& next) {
-        const auto at = static_cast<std::size_t>(next.cell);
-        if (next.parent == Side::inlet) return true;
-        const auto parent = static_cast<std::size_t>(neighbour(grid_, next.cell, next.parent));
-        wound_x[at] = wound_x[parent] - winding_x(next.cell, next.parent);
-        wound_y[at] = wound_y[parent] - winding_y(next.cell, next.parent);
-        return true;
-      });
+      reach(i, Side::inlet);
+      grow();
+      for (std::size_t k = begin; k < found_.order.size(); ++k) {
+        const std::int64_t cell = found_.order[k];
+        const auto at = static_cast<std::size_t>(cell);
+        const Side side = found_.parent[at];
+        const std::int64_t parent = neighbour(grid_, cell, side);
+        if (parent == outside) continue;
+        wound_x[at] = wound_x[static_cast<std::size_t>(parent)] - winding_x(cell, side);
+        wound_y[at] = wound_y[static_cast<std::size_t>(parent)] - winding_y(cell, side);
+      }
       bool along_x = false, along_y = false;
       for (std::size_t k = begin; k < found_.order.size(); ++k) {
         const std::int64_t cell = found_.order[k];
@@ -117,25 +136,21 @@ class Search {
   Paths take() { return std::move(found_); }
 
  private:
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-
-  void push(std::int64_t i, Side parent) {
-    const auto at = static_cast<std::size_t>(i);
-    if (gap_[at] > 0 && found_.parent[at] == Side::none) border_.push({gap_[at], static_cast<std::int32_t>(i), parent});
+  template <class Visit> void each_neighbour(std::int64_t i, const Visit& visit) const {
+    for (const auto& [side, opposite] : sides_and_opposites)
+      if (const std::int64_t other = neighbour(grid_, i, side); other != outside) visit(other, opposite);
   }
-
-  // reached: of each cell; false ends it.
-  template <class Reached> void grow(const Reached& reached) {
-    for (std::size_t steps = 0; !border_.empty(); ++steps) {
-      if (steps % 65536 == 0) stop_if_asked();
-      const Frontier next = border_.top();
-      border_.pop();
-      if (found_.on(next.cell)) continue;
-      found_.parent[static_cast<std::size_t>(next.cell)] = next.parent;
-      found_.order.push_back(next.cell);
-      if (!reached(next)) return;
-      for (const Side side : across_sides)
-        if (const std::int64_t other = neighbour(grid_, next.cell, side); other != outside) push(other, opposite(side));
+  void reach(std::int64_t i, Side parent) {
+    const auto at = static_cast<std::size_t>(i);
+    if (!(gap_[at] > 0) || found_.on(i)) return;
+    found_.parent[at] = parent;
+    border_.push(static_cast<std::int32_t>(i), gap_[at]);
+  }
+  void grow() {
+    for (std::int64_t i; (i = border_.pop()) != outside;) {
+      if (found_.order.size() % 65536 == 0) stop_if_asked();
+      found_.order.push_back(static_cast<std::int32_t>(i));
+      each_neighbour(i, [&](std::int64_t other, Side parent) { reach(other, parent); });
     }
   }
 
@@ -153,18 +168,17 @@ class Search {
   void keep_if_crossing() {
     std::vector<std::uint8_t> crosses(gap_.size());
     std::vector<std::int32_t> stack;
-    const auto reach = [&](std::int64_t i) {
+    const auto reach_back = [&](std::int64_t i) {
       const auto at = static_cast<std::size_t>(i);
       if (!found_.on(i) || crosses[at]) return;
       crosses[at] = 1;
       stack.push_back(static_cast<std::int32_t>(i));
     };
-    for (std::int64_t y = 1; y <= grid_.ny; ++y) reach(y * grid_.nx - 1);
+    for (std::int64_t y = 1; y <= grid_.ny; ++y) reach_back(y * grid_.nx - 1);
     while (!stack.empty()) {
       const std::int64_t i = stack.back();
       stack.pop_back();
-      for (const Side side : across_sides)
-        if (const std::int64_t other = neighbour(grid_, i, side); other != outside) reach(other);
+      each_neighbour(i, [&](std::int64_t other, Side) { reach_back(other); });
     }
     std::erase_if(found_.order, [&](std::int32_t i) { return !crosses[static_cast<std::size_t>(i)]; });
     for (std::size_t i = 0; i < crosses.size(); ++i)
@@ -173,7 +187,7 @@ class Search {
 
   const Grid& grid_;
   const std::vector<double>& gap_;
-  std::priority_queue<Frontier> border_;
+  Border border_;
   std::vector<std::int32_t> left_;
   Paths found_;
 };
@@ -182,12 +196,12 @@ class Search {
 
 Paths find_paths(const Grid& grid, const std::vector<double>& gap, Find what) {
   Search search(grid, gap);
-  if (grid.cell)
+  if (what == Find::constriction)
+    search.constriction();
+  else if (grid.cell)
     search.from_everywhere();
-  else if (what == Find::cells)
-    search.flood();
   else
-    search.from_inlet(what == Find::constriction);
+    search.from_inlet();
   return search.take();
 }
 

@@ -10,7 +10,7 @@ namespace rc::flow {
 struct Paths {
   std::vector<std::int32_t> order;  // cells on a path from inlet to outlet, or of a part that repeats; each after its parent
   std::vector<Side> parent;         // where the parent of each of them lies; inlet: a root. none: the cell is on no path
-  double constriction = 0;          // of the best path; with a cell that repeats 0
+  double constriction = 0;          // of the best path
   std::int64_t place = outside;
   bool repeats_x = false, repeats_y = false;  // of a cell: some path ends one period further along x, along y
 
@@ -18,11 +18,10 @@ struct Paths {
   bool on(std::int64_t i) const { return parent[static_cast<std::size_t>(i)] != Side::none; }
 };
 
-// Parts of the answer, which take less time than all of it: the cells on paths from inlet to outlet, or the constriction and its
-// place.
-enum class Find { all, cells, constriction };
+// Cells and tree, or with inlet and outlet the constriction and its place.
+enum class Find { tree, constriction };
 
 // gap: of all cells, 0: closed.
-Paths find_paths(const Grid& grid, const std::vector<double>& gap, Find what = Find::all);
+Paths find_paths(const Grid& grid, const std::vector<double>& gap, Find what = Find::tree);
 
 }  // namespace rc::flow
