@@ -46,10 +46,13 @@ check() {
   case $code in 0) passed=$((passed + 1)) ;; 77) skipped=$((skipped + 1)) ;; *) failed=$((failed + 1)) ;; esac
 }
 
-# build PRESET [cmake options]: quietly.
+# build PRESET [cmake options] [--target=TARGET...]: quietly.
 build() {
-  local log=build-$1.log
-  if { cmake --preset "$1" "${@:2}" && cmake --build "build-$1" -j "$jobs"; } >"$log" 2>&1; then
+  local log=build-$1.log each options=() targets=()
+  for each in "${@:2}"; do
+    case $each in --target=*) targets+=(--target "${each#*=}") ;; *) options+=("$each") ;; esac
+  done
+  if { cmake --preset "$1" "${options[@]}" && cmake --build "build-$1" -j "$jobs" "${targets[@]}"; } >"$log" 2>&1; then
     mv "$log" "build-$1/build.log"
   else
     grep -E -m 20 "error|Error" "$log" || tail -20 "$log"
@@ -96,16 +99,35 @@ if command -v ccache >/dev/null; then
 fi
 rm -f build-*/ctest-*.log
 
-# The tests of what changed; the commands of a page are slow and its only tests.
+# The tests of what changed, and of the build only what they need. The commands of pages are slow and the only tests of these: if pages
+# alone have changed, theirs run instead of docs.commands.
 quick_tests() {
-  local folder labels names=()
-  build gcc -DRC_BUILD_BENCH=OFF || { failed=$((failed + 1)); return; }
-  for folder in $(scripts/affected.py); do
-    labels='slow|full'
-    [ "$folder" != outside/docs ] || labels=full
-    mapfile -t -O ${#names[@]} names < <(ctest --test-dir "build-gcc/tests/$folder" -N -LE "$labels" | sed -nE 's/^ *Test +#[0-9]+: //p')
-  done
+  local folder what labels except names=() folders=() pages=() said
+  said=$(scripts/affected.py) || { failed=$((failed + 1)); return; }  # before there is a log, which would be a new file
+  echo "${said//$'\n'/, }"
+  cmake --preset gcc -DRC_BUILD_BENCH=OFF >build-gcc.log 2>&1 || { tail -20 build-gcc.log; failed=$((failed + 1)); return; }
+  while read -r folder what; do
+    labels='slow|full' except='^$'
+    folders+=("$folder")
+    case $folder in
+      contract/pairs) [ -z "$what" ] || export RC_TEST_SOLVER=$what ;;
+      outside/docs)
+        labels=full
+        [ -z "$what" ] || { read -ra pages <<<"$what" && except='docs\.(commands|reference)'; }
+        ;;
+    esac
+    mapfile -t -O ${#names[@]} names < <(ctest --test-dir "build-gcc/tests/$folder" -N -LE "$labels" -E "$except" | sed -nE 's/^ *Test +#[0-9]+: //p')
+  done <<<"$said"
+  # shellcheck disable=SC2046
+  build gcc -DRC_BUILD_BENCH=OFF $(quick_targets "${folders[@]}") || { failed=$((failed + 1)); return; }
   [ ${#names[@]} = 0 ] || run_tests gcc -R "^($(IFS='|'; echo "${names[*]}"))\$"
+  [ ${#pages[@]} = 0 ] || check "$(sed -n "s/^RC_TEST_PYTHON:FILEPATH=//p" build-gcc/CMakeCache.txt)" -B tests/outside/docs/commands.py build-gcc "${pages[@]}"
+}
+# quick_targets FOLDER...: options for build(): the product and these folders below tests/; none: everything.
+quick_targets() {
+  [ -e build-gcc/build.ninja ] && [ "$*" != . ] || return 0
+  ninja -C build-gcc -t targets all | sed -nE 's,^(.*/all): phony$,\1,p' | grep -vE '^(tests|bench|fuzz|examples)/' | sed 's/^/--target=/'
+  printf -- '--target=tests/%s/all\n' "$@"
 }
 gcc_build() { build gcc -DRC_BUILD_BENCH=ON || failed=$((failed + 1)); }
 source_checks() {

@@ -107,7 +107,7 @@ class SpeedAccuracy:
         for points in (scene.n // 2, scene.n, 2 * scene.n):
             gap = scene.gap(points)
             for kernel in names(rc.kernels):
-                if (kernel == 'spectral') != (usual == 'spectral'):
+                if (kernel == 'spectral') != (usual == 'spectral') or kernel == 'layer':  # which needs a thickness
                     continue
                 digits = GRID_DIGITS if kernel == usual else GRID_DIGITS[-1:]
                 self.sweep('grids', {**same, 'grid': points, 'kernel': kernel}, scene, target, gap, digits, 0, {'kernel': kernel}, truth.on(points),

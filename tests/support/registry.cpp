@@ -1,5 +1,7 @@
 #include "support/registry.h"
 
+#include <cstdlib>
+
 #include "support/unit_system.h"
 
 namespace pairs {
@@ -28,9 +30,11 @@ std::vector<std::string> kernel_names() {
 }
 
 std::vector<Pair> all_pairs() {
+  const char* const only = std::getenv("RC_TEST_SOLVER");
   std::vector<Pair> result;
   for (const std::string& solver : solver_names())
-    for (const std::string& backend : backend_names()) result.push_back({solver, backend});
+    for (const std::string& backend : backend_names())
+      if (!only || solver == only) result.push_back({solver, backend});
   return result;
 }
 

@@ -13,7 +13,7 @@ std::vector<std::string> solver_names();
 std::vector<std::string> backend_names();
 /** The kernels of a half-space, which need no options. */
 std::vector<std::string> kernel_names();
-/** Every solver with every backend. */
+/** Every solver with every backend; those of the solver that RC_TEST_SOLVER names, if it is set. */
 std::vector<Pair> all_pairs();
 
 inline constexpr std::int32_t controls[] = {RC_CONTROL_APPROACH, RC_CONTROL_LOAD};
