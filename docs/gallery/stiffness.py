@@ -2,8 +2,8 @@
 # # Stiffness, conductance, and the intervals in which they are proven to lie
 #
 # The stiffness dF/dd of a rough contact grows in proportion to the load, and the electrical conductance in proportion to the
-# stiffness (Barber 2003). With a loose tolerance the contact set is not known exactly; option `stiffness` = 2 proves an interval
-# for the exact stiffness, and the conductance has one as well.
+# stiffness (Barber 2003). The tolerance says how well the contact set is known. Option `stiffness` = 2 proves an interval for the
+# exact stiffness of this grid; the picture shows how its width falls with the tolerance.
 
 # %%
 import matplotlib.pyplot as plt
@@ -16,26 +16,20 @@ surface = rc.surface.spectral(
 )
 loads = np.geomspace(0.02, 3, 10)
 copper = 1.7e-8  # resistivity, Ohm m
-answers = {tol: [rc.solve(surface, E=120e9, nu=0.34, load=F, tol=tol, stiffness=2) for F in loads] for tol in (3e-3, 1e-8)}
+tols = (1e-3, 1e-5, 1e-8)
+answers = {tol: [rc.solve(surface, E=120e9, nu=0.34, load=F, tol=tol, stiffness=2) for F in loads] for tol in tols}
 
 # %%
 figure, (left, right) = plt.subplots(1, 2, figsize=(9.5, 3.8))
-for (tol, results), colour in zip(answers.items(), ("tab:orange", "tab:blue")):
-    low, high = np.array([(r.stiffness_lower, r.stiffness_upper) for r in results]).T
-    left.fill_between(loads, low / 1e6, high / 1e6, alpha=0.4, color=colour, label=f"proven, tol {tol:g}")
-    conductances = [r.conductance(copper, copper) for r in results]
-    right.fill_between(
-        loads,
-        [c.lower for c in conductances],
-        [c.upper for c in conductances],
-        alpha=0.4,
-        color=colour,
-        label=f"proven, tol {tol:g}",
-    )
-left.loglog(loads, [r.stiffness / 1e6 for r in answers[1e-8]], ".-", label="stiffness")
-left.set(xlabel="load [N]", ylabel="stiffness [N/µm]")
-right.loglog(loads, [r.conductance(copper, copper).value for r in answers[1e-8]], ".-", label="conductance, copper")
-right.set(xlabel="load [N]", ylabel="conductance [1/Ω]")
+best = answers[tols[-1]]
+left.loglog(loads, [r.stiffness / 1e6 for r in best], ".-", label="stiffness [N/µm]")
+left.loglog(loads, [r.conductance(copper, copper).value / 1e3 for r in best], "s-", label="conductance, copper [1/mΩ]")
+left.set(xlabel="load [N]", ylabel="stiffness, conductance")
 left.legend()
-right.legend()
+for tol, results in answers.items():
+    width = [(r.stiffness_upper - r.stiffness_lower) / r.stiffness for r in results]
+    right.loglog(loads, width, ".-", label=f"tol {tol:g}")
+right.set(xlabel="load [N]", ylabel="width of the interval / stiffness")
+right.set_ylim(top=2)
+right.legend(title="proven for this grid", ncols=3)
 figure.tight_layout()

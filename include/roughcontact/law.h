@@ -1,7 +1,7 @@
 /* roughcontact: the contact law of a rough patch, as a table with bounds between its nodes.
  *
  * A law is the nominal pressure p of a rough patch as a function of its overclosure x, with slope, energy, contact area and
- * conductance. The patch is solved at about a hundred loads, the nodes; an evaluation solves no contact problem. A law
+ * conductance. The patch is solved at many loads, the nodes; an evaluation solves no contact problem. A law
  * never changes: any number of threads evaluate it at the same time, without locks and without memory of their own.
  *
  * Overclosure. x = 0 is first touch of the undeformed bodies, x > 0 brings them nearer. The deflection of the half-space below the
