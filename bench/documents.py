@@ -19,7 +19,6 @@ from store import library_hash
 from tables import fill
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-FOLDERS = {'physics': ()}  # below docs; the other pages are in docs/development
 MEASURED = os.path.join(ROOT, '..', 'shared', 'data')
 
 
@@ -29,7 +28,7 @@ class Remake:
     def __init__(self, name, request):
         build = os.environ['RC_BENCH_BUILD']
         self.request, self.program = request, os.path.join(build, 'bin', 'roughcontact-bench')
-        self.results, self.images, self.page = (os.path.join(ROOT, *place) for place in (('bench', 'results'), ('docs', 'images'), ('docs', *FOLDERS.get(name, ('development',)), f'{name}.md')))
+        self.results, self.images, self.page = (os.path.join(ROOT, *place) for place in (('bench', 'results'), ('docs', 'images'), ('docs', 'development', f'{name}.md')))
         if request.quick:  # instead of the source tree
             self.results = self.images = os.path.join(build, f'{name}-quick')
             os.makedirs(self.results, exist_ok=True)

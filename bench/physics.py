@@ -1,5 +1,5 @@
 """Area, mean gap, stiffness, patches and pressures of rough surfaces against load, elastic and with a hardness, beside the theories of rough
-contact: the rows, tables and pictures of docs/physics.md."""
+contact: the rows, tables and pictures of docs/development/physics.md."""
 import math
 import os
 import sys

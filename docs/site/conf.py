@@ -64,7 +64,6 @@ how-to/flow-factors
 how-to/campaigns
 how-to/limits
 how-to/tolerance
-physics
 how-to/cite
 surface-files
 command-line
