@@ -24,6 +24,9 @@ read = rc.read(sys.argv[1], format="x3p")  # by libzip and pugixml
 assert read.heights.size > 1 and np.isfinite(read.heights).any(), read
 history = rc.history(surface, modulus=78e9, pressure=[1e6, 2e6])
 assert len(history) == 2 and "img" in result._repr_html_()
-licences = [file.name for file in importlib.metadata.files("roughcontact") if "licenses" in file.parts]
-assert {"LICENSE", "libgsl27", "libfftw3-double3", "GPL-3"} <= set(licences), licences
-print(f"load {result.load:.4f} N by", ", ".join(sorted(each.name for each in rc.backends())), f"- {len(licences)} texts of licences")
+licences = {}
+for name in ("roughcontact", "roughcontact-gpl"):
+    licences[name] = {file.name for file in importlib.metadata.files(name) or () if "licenses" in file.parts}
+assert {"LICENSE", "libeigen3-dev"} <= licences["roughcontact"] and "GPL-3" not in licences["roughcontact"], licences
+assert {"libgsl27", "libfftw3-double3", "GPL-3"} <= licences["roughcontact-gpl"], licences
+print(f"load {result.load:.4f} N by", ", ".join(sorted(each.name for each in rc.backends())), f"- {sum(map(len, licences.values()))} texts of licences")

@@ -21,7 +21,8 @@ LICENCES = {'libamd': 'BSD-3-Clause', 'libblas': 'BSD-3-Clause', 'libbz2-': 'bzi
             'libquadmath': 'LGPL-2.1-or-later', 'libssl': 'Apache-2.0', 'libstdc++': GCC, 'libsuitesparseconfig': 'BSD-3-Clause', 'libtiff': 'libtiff',
             'libzip': 'BSD-3-Clause', 'nlohmann-json3-dev': 'MIT', 'python3-numpy': 'BSD-3-Clause', 'python3': 'PSF-2.0', 'zlib1g': 'Zlib'}
 OURS = {r'-backend-|-flow': 'GPL-2.0-or-later', r'-surface|-tools': 'GPL-3.0-or-later',
-        r'-dev_|\.whl$': 'BSD-3-Clause AND GPL-2.0-or-later AND GPL-3.0-or-later', '-site': 'BSD-3-Clause',
+        r'-dev_|^$': 'BSD-3-Clause AND GPL-2.0-or-later AND GPL-3.0-or-later', r'_gpl-.*\.whl$': 'GPL-3.0-or-later',
+        r'\.whl$': 'BSD-3-Clause AND MIT AND MPL-2.0', '-site': 'BSD-3-Clause',
         r'\.tar\.gz$': 'BSD-3-Clause AND GPL-2.0-only AND GPL-2.0-or-later AND GPL-3.0-or-later', '': 'BSD-3-Clause'}
 HEADERS = {r'-tools_|\.whl$': ['libcli11-dev', 'nlohmann-json3-dev', 'libeigen3-dev'], r'^lib': ['libeigen3-dev']}  # compiled in
 
@@ -66,10 +67,11 @@ def main():
     time = datetime.datetime.fromtimestamp(int(os.environ['SOURCE_DATE_EPOCH']), datetime.timezone.utc)
     print(json.dumps({
         'bomFormat': 'CycloneDX', 'specVersion': '1.5', 'version': 1,
-        'metadata': {'timestamp': time.strftime('%Y-%m-%dT%H:%M:%SZ'), 'component': component('roughcontact', version, first(OURS, '.whl', ''))},
+        'metadata': {'timestamp': time.strftime('%Y-%m-%dT%H:%M:%SZ'), 'component': component('roughcontact', version, first(OURS, '', ''))},
         'components': [component(file.name, version, first(OURS, file.name, ''), hashes=[{'alg': 'SHA-256', 'content': hashlib.sha256(file.read_bytes()).hexdigest()}])
                        for file in needs] + [component(name, version_of(name), licence(name), purl=f'pkg:deb/debian/{name}@{version_of(name)}') for name in others],
         'dependencies': [{'ref': file.name, 'dependsOn': names} for file, names in needs.items()]}, indent=1))
 
 
-main()
+if __name__ == '__main__':
+    main()

@@ -10,16 +10,11 @@
 
 namespace cli {
 
-namespace {
-
-// The message without the name of the C function that it begins with.
 std::string_view without_function(std::string_view message) {
   if (!message.starts_with("rc_")) return message;
   const auto colon = message.find_first_not_of("abcdefghijklmnopqrstuvwxyz_");
   return colon == message.npos || message[colon] != ':' ? message : trimmed(message.substr(colon + 1));
 }
-
-}  // namespace
 
 Context::Context() {
   rc_context* context = nullptr;
@@ -41,10 +36,6 @@ void check(rc_status status, std::string_view subject) {
   if (status >= 0) return;
   const std::string message = last_message();
   throw Error(subject, subject.empty() ? "" : ": ", message.empty() ? rc_status_text(status) : message);
-}
-
-void check_surface(rc_status status, std::string_view subject) {
-  if (status != RC_OK) throw Error(subject, subject.empty() ? "" : ": ", without_function(rc_surface_last_error()));
 }
 
 std::vector<rc_component> components(const Context& context, int32_t kind) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <roughcontact/registry.h>
-#include <roughcontact/surface.h>
 
 #include <memory>
 #include <string>
@@ -39,13 +38,13 @@ std::vector<rc_component> components(const Context& context, int32_t kind);
 
 // Throws an Error with the library's own text if the call failed; `subject` ("--tol", "step 3") opens the message.
 void check(rc_status status, std::string_view subject);
-// The same for a call of libroughcontact-surface.
-void check_surface(rc_status status, std::string_view subject = "");
 
 // The defaults of the registry, but for the threads; then these keys and values, of which later ones win.
 Options make_options(const Context& context, int threads, const std::vector<std::pair<std::string, std::string>>& settings);
 
-// The calling thread's last message, without the name of the C function, which means nothing on a command line.
+// A library's message without the name of the C function that it begins with, which means nothing on a command line.
+std::string_view without_function(std::string_view message);
+// The calling thread's last message, without that name.
 std::string last_message();
 
 // One for each 16384 points of a grid, at least 1, at most rc_usable_cores; as in Python.

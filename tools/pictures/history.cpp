@@ -1,6 +1,8 @@
 #include "pictures/history.h"
 
+#ifdef RC_COMMAND_SURFACE
 #include <roughcontact/surface.h>
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +17,8 @@
 namespace cli {
 
 namespace {
+
+#ifdef RC_COMMAND_SURFACE
 
 // The rms slope of a surface that Persson's theory is of: elastic, periodic, flat but for a roughness that is nearly Gaussian.
 // Else 0.
@@ -32,6 +36,12 @@ double slope_for_persson(const Problem& problem) {
                         statistics.kurtosis < most_kurtosis;
   return gaussian ? statistics.rms_slope : 0;
 }
+
+#else
+
+double slope_for_persson(const Problem&) { return 0; }
+
+#endif
 
 using Value = double HistoryPoint::*;
 using Steps = std::vector<HistoryPoint>;

@@ -70,14 +70,22 @@ bool search_closing_pressure(const Problem& problem, const rc_options* options) 
 
 #else
 
-std::optional<rc_flow_result> leak_of(const Problem&, const rc_system&, const std::uint8_t*, const rc_options*,
-                                      const rc_result&) {
-  throw Error("--leak: this command was built without CHOLMOD, which libroughcontact-flow needs");
+namespace {
+
+[[noreturn]] void refuse(const char* word) {
+  throw Error(word,
+              ": this command was built without CHOLMOD, which libroughcontact-flow needs; in Python's environment: pip install "
+              "roughcontact-gpl");
 }
 
-bool search_closing_pressure(const Problem&, const rc_options*) {
-  throw Error("--closing-pressure: this command was built without CHOLMOD, which libroughcontact-flow needs");
+}  // namespace
+
+std::optional<rc_flow_result> leak_of(const Problem&, const rc_system&, const std::uint8_t*, const rc_options*,
+                                      const rc_result&) {
+  refuse("--leak");
 }
+
+bool search_closing_pressure(const Problem&, const rc_options*) { refuse("--closing-pressure"); }
 
 #endif
 

@@ -17,6 +17,7 @@
 #include "request/units.h"
 #include "solve/problem.h"
 #include "surface/analysis.h"
+#include "surface/check.h"
 #include "text.h"
 
 namespace cli {

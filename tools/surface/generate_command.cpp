@@ -14,6 +14,7 @@
 #include "library.h"
 #include "platform/files.h"
 #include "request/quantities.h"
+#include "surface/check.h"
 #include "surface/input.h"
 #include "text.h"
 

@@ -14,9 +14,10 @@ SUFFIX = ".exe" if os.name == "nt" else ""
 
 
 def _places() -> Iterator[pathlib.Path]:
-    """Inside a wheel; of the build or prefix that the library is from; of the package's prefix; on the PATH."""
+    """Inside a wheel, that of roughcontact-gpl first; of the build or prefix that the library is from; of the package's prefix; on the PATH."""
     here = pathlib.Path(__file__).resolve()
-    yield here.parent / "lib" / f"roughcontact-command{SUFFIX}"
+    for name in ("roughcontact-command-gpl", "roughcontact-command"):
+        yield here.parent / "lib" / f"{name}{SUFFIX}"
     named = os.environ.get("ROUGHCONTACT_LIBRARY")
     if named:
         yield pathlib.Path(named).resolve().parent.parent / "bin" / f"roughcontact{SUFFIX}"

@@ -22,6 +22,8 @@ from ._errors import LibraryNotFoundError
 from ._functions import ContactFunctions, FlowFunctions, FormatsFunctions, MpiFunctions, RequestFunctions, SurfaceFunctions
 
 VARIABLE = "ROUGHCONTACT_LIBRARY"
+GPL = "roughcontact-gpl"  # the distribution that adds what links libraries under the GPL to a wheel
+UNDER_GPL = ("surface", "flow")
 
 
 def _name_of(library: str, system: str = sys.platform) -> str:
@@ -117,6 +119,10 @@ def library_file() -> str:
     return str(_loaded["file"])
 
 
+def _from_wheel() -> bool:
+    return pathlib.Path(library_file()).resolve().parent == pathlib.Path(__file__).resolve().parent / "lib"
+
+
 def _beside(name: str, functions: type) -> Any:
     """libroughcontact-NAME with the prototypes of all its functions."""
     soname = _name_of(f"roughcontact-{name}")
@@ -124,7 +130,14 @@ def _beside(name: str, functions: type) -> Any:
     with _lock:
         if name not in _loaded:
             candidates = [(beside, "beside libroughcontact")] if os.path.exists(beside) else []
-            _loaded[name], _ = _open(candidates + [(soname, "the system")], functions)
+            try:
+                _loaded[name], _ = _open(candidates + [(soname, "the system")], functions)
+            except LibraryNotFoundError:
+                if name not in UNDER_GPL or candidates or not _from_wheel():
+                    raise
+                raise LibraryNotFoundError(
+                    f"this needs libroughcontact-{name}, which is under the GPL and a distribution of its own: pip install {GPL}"
+                ) from None
         return _loaded[name]
 
 

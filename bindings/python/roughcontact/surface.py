@@ -1,5 +1,5 @@
-"""Generation and analysis of rough surfaces. These functions load libroughcontact-surface, which links the GNU Scientific Library
-(GPL).
+"""Generation and analysis of rough surfaces. All functions but `example` load libroughcontact-surface, which links the GNU
+Scientific Library (GPL): pip install roughcontact-gpl.
 
 Generators return a `Surface`; what they are not given has the value of the header's RC_SURFACE_..._INIT macros. Whatever takes a
 surface takes a `Surface`, a topography of SurfaceTopography, or heights with a pitch. The PSD is C(qx, qy) = nx ny hx hy |a|^2 with
@@ -7,7 +7,8 @@ a = DFT(heights)/(nx ny) [length^4]; wave numbers are 2 pi / wavelength [1/lengt
 """
 
 import ctypes
-from dataclasses import dataclass, replace
+import pathlib
+from dataclasses import dataclass
 from typing import Any, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -20,6 +21,7 @@ from ._c import members_for
 from ._calls import finish, short_traceback, surface_calls
 from ._errors import ArgumentError, ShapeError
 from ._library import surface_library
+from ._files import read
 from ._height_map import Surface
 from ._request import as_surface
 from ._structs import (
@@ -160,9 +162,8 @@ def _shape(
 
 def example() -> Surface:
     """A rough surface to try things with, as of polished steel: 256 x 256 points on 10.24 um, periodic, lengths in m; 30 nm high
-    (rms), self-affine with Hurst exponent 0.8 below wavelengths of 2.5 um. The same on every machine."""
-    made = spectral((256, 256), pitch=4e-8, rms_height=3e-8, hurst=0.8, q_rolloff=2 * np.pi / 2.5e-6, seed=1)
-    return replace(made, unit="m")
+    (rms), self-affine with Hurst exponent 0.8 below wavelengths of 2.5 um. Its file is example.gsf in this package."""
+    return read(pathlib.Path(__file__).with_name("example.gsf"))
 
 
 def paraboloid(shape: Grid, *, pitch: Optional[Pitch] = None, radius: float) -> Surface:

@@ -14,6 +14,7 @@ SAYS = {
     "CHANGELOG.md": r"^## (\S+)",
     "CITATION.cff": r"^version: (\S+)",
     "bindings/python/roughcontact/__init__.py": r'^__version__ = "(.*)"',
+    "bindings/python/gpl/pyproject.toml": r'"roughcontact==(.*?)"',
     "packaging/debian/changelog": r"^roughcontact \((.*)-1\)",
     "docs/how-to/cite.md": r"solved with roughcontact (\S+)",
     "include/roughcontact/roughcontact.h": r"MAJOR (\d+)\n.*MINOR (\d+)\n.*PATCH (\d+)",
@@ -21,7 +22,7 @@ SAYS = {
     "packaging/spack/package.py": r'^    version\("(.*?)"',
 }
 RECIPES = ["packaging/conda/recipe.yaml", "packaging/spack/package.py", "packaging/conan/conanfile.py", "packaging/vcpkg/portfile.cmake",
-           "packaging/debian/rules", "packaging/build.sh", "pyproject.toml"]
+           "packaging/debian/rules", "packaging/build.sh", "pyproject.toml", "bindings/python/gpl/pyproject.toml"]
 
 
 def main() -> int:

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# wheel.sh SYSTEM [WHEEL]: pip, for that system, installs the wheel (without WHEEL one that packaging/wheel.sh makes) and NumPy into an
+# wheel.sh SYSTEM [WHEEL GPL-WHEEL]: pip, for that system, installs the wheels (or those that packaging/wheel.sh makes) and NumPy into an
 # empty folder, and both are used from there: on aarch64 by Debian's Python for that processor under the emulator, beside musl by a
 # Python that is built for it. For Windows there is no Python among Debian's packages: a program in C loads the libraries that were
 # installed, under Wine, and solves with every backend, makes a surface and reads one. Exit code 77 without the network or the emulator.
@@ -23,19 +23,27 @@ command -v "${run[0]}" >/dev/null || skip "${run[0]} is not installed"
 command -v "$cc" >/dev/null || skip "$cc is not installed"
 dependencies=$(realpath -m "${RC_CROSS_DEPENDENCIES:-$tree/build-cross/dependencies}")
 if [ $# -gt 1 ]; then
-  file=$(realpath "$2")
+  files=("$(realpath "$2")" "$(realpath "$3")")
 else
   code=0
   "$tree/packaging/wheel.sh" --system "$name" "$scratch/dist" cmake.define.RC_WERROR=ON >"$scratch/made" 2>&1 || code=$?
   [ $code = 0 ] || { tail -40 "$scratch/made"; exit $code; }
-  file=$(echo "$scratch"/dist/*.whl)
+  files=("$scratch"/dist/*.whl)
 fi
-tag=$(basename "$file" .whl)
-platform=${tag##*-}
-case $name:$tag in aarch64:*-py3-none-manylinux_*_aarch64 | *:*-py3-none-"$wheel") ;; *) fail "$tag is not the name of a wheel for $name" ;; esac
+[ ${#files[@]} = 2 ] || fail "there are not two wheels: ${files[*]}"
+for file in "${files[@]}"; do
+  tag=$(basename "$file" .whl)
+  case $name:$tag in aarch64:*-py3-none-manylinux_*_aarch64 | *:*-py3-none-"$wheel") ;; *) fail "$tag is not the name of a wheel for $name" ;; esac
+done
 cd "$scratch"  # without the tree
 pip=(python3 -m pip install -q --target "$scratch/site" --python-version 3.11 --only-binary=:all:)
-"${pip[@]}" --no-deps --platform "${platform%%.*}" "$file" || fail "pip does not install $file"
+platforms=()
+for file in "${files[@]}"; do
+  platform=$(basename "$file" .whl)
+  platform=${platform##*-}
+  platforms+=(--platform "${platform%%.*}")
+done
+"${pip[@]}" --no-deps "${platforms[@]}" "${files[@]}" || fail "pip does not install ${files[*]}"
 package=$scratch/site/roughcontact
 sample=$tree/fuzz/corpus/archive/x3p_valid
 

@@ -269,6 +269,8 @@ def surface_rows(content: Content) -> Rows:
             ("skewness, kurtosis", f"{s.skewness:.3g}, {s.kurtosis:.3g} (0, 3 for a Gaussian)"),
             ("Nayak's parameter", f"{s.nayak:.3g}"),
         ]
+    elif not surface.missing.any() and np.ptp(surface.heights) > 0:
+        rows_of.append(("roughness", "needs libroughcontact-surface, in Python's environment: pip install roughcontact-gpl"))
     if law is not None and np.isfinite(law.hurst):
         remark = "" if self_affine(law) else ", not self-affine"
         rows_of.append(("Hurst exponent", f"{law.hurst:.2f} ± {law.hurst_error:.2f}{remark}"))
