@@ -63,7 +63,7 @@ LawInterval up_to_first(const rc_law_point& node) {
       return {{node.x - after, 0, 0}, {after, jump, last}};
     }
     if (choice < 1 && least == 0) {
-      const double theta = 1 - part - (1 - choice) * std::min(part, 1 - part);
+      const double theta = 1 - part - (1 - choice) * part;
       return knotted(node.x, theta, 0, std::max(0.0, 2 * chord - (1 - theta) * last), last);
     }
     const double first = least + (chord - least) * std::clamp(choice - 1, 0.0, 1 - 1e-9);
