@@ -1,15 +1,22 @@
 #!/usr/bin/env bash
-# ./test.sh [--quick | --full]: installs what is missing, then builds and tests. Ends with the time of each stage, the ten slowest
-# tests, and "N passed, N failed, N skipped".
+# ./test.sh [--quick | --full] [PART...]: installs what is missing, then builds and tests. Ends with the time of each stage, the ten
+# slowest tests, and "N passed, N failed, N skipped".
 #   --quick  before each commit: checks of the source, gcc without benchmarks, reduced tests of what changed (scripts/affected.py)
 #   (none)   what CI runs: checks of the source, gcc, checks of the binaries, a smoke test of other systems, address, undefined
 #            behaviour and thread sanitizers where they tell most
 #   --full   before a release: all sizes, measured surfaces where they are, the tests on other systems, every family under the
 #            sanitizers, clang, clang-tidy, fuzzing, mutants. Called again on the same commit, it runs only what has not passed yet.
+#   PART     these stages only, of all but --quick: source, gcc, systems, asan, tsan, and with --full more
 set -euo pipefail
 cd "$(dirname "$0")"
-tier=${1:-}
-case $tier in '' | --quick | --full) ;; *) sed -n '2,8s/^# //p' "$0"; exit 2 ;; esac
+tier='' parts=()
+for each in "$@"; do
+  case $each in
+    --quick | --full) tier=$each ;;
+    source | gcc | systems | asan | tsan | more) parts+=("$each") ;;
+    *) sed -n '2,9s/^# //p' "$0"; exit 2 ;;
+  esac
+done
 passed=0 failed=0 skipped=0
 times=$(mktemp)
 trap 'rm -f "$times"' EXIT
@@ -18,6 +25,7 @@ export CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-$jobs}
 
 full() { [ "$tier" = --full ]; }
 quick() { [ "$tier" = --quick ]; }
+wanted() { [ ${#parts[@]} = 0 ] || [[ " ${parts[*]} " == *" $1 "* ]]; }
 
 # state: the tree of the commit, if nothing differs from it.
 state() { [ -n "$(git status --porcelain 2>&1)" ] || git rev-parse 'HEAD^{tree}'; }
@@ -88,7 +96,7 @@ verify() {
 }
 
 echo "== packages"
-scripts/bootstrap.sh --tests
+[ "${parts[*]-}" = source ] || scripts/bootstrap.sh --tests
 tree=$(state)  # git is there now
 # An empty tree takes the faster generator, and a compiler cache where there is one.
 ! command -v ninja >/dev/null || export CMAKE_GENERATOR=${CMAKE_GENERATOR-Ninja}
@@ -160,18 +168,20 @@ asan() {
 tsan() { OMP_THREAD_LIMIT=1 RC_TEST_QUICK=1 verify tsan "" -R 'threads|contract\.'; }
 mutants() { if build mutants; then check scripts/mutants.py build-mutants --jobs "$jobs"; else failed=$((failed + 1)); fi; }
 
-stage "checks of the source" source_checks
+! wanted source || stage "checks of the source" source_checks
 if quick; then
   RC_TEST_QUICK=1 stage "gcc, reduced tests of what changed" quick_tests
 else
-  stage "gcc: build" gcc_build
-  if full; then stage "gcc: tests" run_tests gcc; else stage "gcc: tests" run_tests gcc -LE full; fi
-  stage "checks of the binaries" binary_checks
-  stage "other systems" other_systems
-  stage "clang: address and undefined behaviour sanitizers" asan
-  stage "gcc: thread sanitizer" tsan
+  if wanted gcc; then
+    stage "gcc: build" gcc_build
+    if full; then stage "gcc: tests" run_tests gcc; else stage "gcc: tests" run_tests gcc -LE full; fi
+    stage "checks of the binaries" binary_checks
+  fi
+  ! wanted systems || stage "other systems" other_systems
+  ! wanted asan || stage "clang: address and undefined behaviour sanitizers" asan
+  ! wanted tsan || stage "gcc: thread sanitizer" tsan
 fi
-if full; then
+if full && wanted more; then
   stage "clang" check build clang
   stage "clang-tidy" check .ci/tidy.sh build-clang
   stage "fuzzing, a minute each" verify fuzz "" -L full
@@ -184,5 +194,5 @@ echo "slowest:"
 { cat build-*/ctest-*.log 2>/dev/null || true; } | sed -nE 's|^ *[0-9]+/[0-9]+ Test +#[0-9]+: ([^ ]+) .* ([0-9.]+) sec$|\2 s  \1|p' | sort -rn | sed -n 1,10p
 echo
 echo "$passed passed, $failed failed, $skipped skipped"
-note "$(date -u +%F): $passed passed, $failed failed, $skipped skipped"
+[ ${#parts[@]} != 0 ] || note "$(date -u +%F): $passed passed, $failed failed, $skipped skipped"
 [ $failed = 0 ]
