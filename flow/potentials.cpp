@@ -213,11 +213,16 @@ Solved solve_potentials(const Grid& grid, const std::vector<double>& gap, const 
     factor.reset();  // more entries than its integers count
   }
   if (factor) {
-    for (std::size_t k = 0; k < fields; ++k)
+    for (std::size_t k = 0; k < fields; ++k) {
+      double small = -1;
       for (int step = 0; step <= factor->steps; ++step) {
         stop_if_asked();
-        equations.add(factor->solve(equations.residual(solved.potentials[k], k == 1)), solved.potentials[k]);
+        Vector residual = equations.residual(solved.potentials[k], k == 1);
+        if (residual.norm() <= small) break;
+        if (step == 0) small = 1e-13 * residual.norm();
+        equations.add(factor->solve(std::move(residual)), solved.potentials[k]);
       }
+    }
     return solved;
   }
   Iteration iteration(equations);

@@ -39,6 +39,11 @@ std::string shown(std::size_t quantity, const Named& named, double value, int di
   return power ? in_digits(value, digits) + " " + named.unit : with_prefix(value, named.unit.c_str(), digits);
 }
 
+// A leak is the only further quantity of which this is known.
+bool never_negative(std::size_t quantity, const std::string& name) {
+  return quantity != of::approach && (quantity != of::further || name == "leak");
+}
+
 std::string sentence(std::size_t quantity, const Named& named, double value, const Combined& c, const std::vector<Row>& rows,
                      const Sources& sources) {
   std::string name = named.name;
@@ -47,8 +52,11 @@ std::string sentence(std::size_t quantity, const Named& named, double value, con
   const std::string text = join(name, " ", shown(quantity, named, value, 4));
   if (!(c.standard > 1e-12 * std::abs(value))) return text + ": no source changes it";
   const auto share = [&](std::size_t k) { return rows[k][quantity].variance() / (c.standard * c.standard); };
-  std::string line =
-      join(text, " +- ", shown(quantity, named, c.coverage * c.standard, 2), " (95 %, k = ", in_digits(c.coverage, 3), "): ");
+  const double half = c.coverage * c.standard;
+  const bool to_zero = half > value && value >= 0 && never_negative(quantity, name);
+  std::string line = join(
+      text, to_zero ? join(", 0 to ", shown(quantity, named, value + half, 2)) : join(" +- ", shown(quantity, named, half, 2)),
+      " (95 %, k = ", in_digits(c.coverage, 3), to_zero ? "; larger than the value, so not linear" : "", "): ");
   const auto first = static_cast<std::size_t>(c.dominant);
   line += join(sources.all[first].name, " brings ", std::llround(100 * share(first)), " % of the variance");
   std::size_t second = rows.size();

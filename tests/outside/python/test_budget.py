@@ -249,6 +249,13 @@ def test_command_and_report_say_what_dominates(tmp_path):
     assert "--budget noise=5nm,E=5%" in content.command
 
 
+def test_the_range_of_a_leak_begins_at_0_if_it_may_close():
+    words = {"leak": "viscosity=1mPas,drop=1bar", "pressure": "1GPa", **STEEL}
+    found = rc.budget(surface(1), "height=60%", against=surface(2), **words)["leak"]
+    assert found.coverage * found.standard > found.value > 0
+    assert ", 0 to " in found.sentence and "so not linear" in found.sentence
+
+
 def test_the_leak_has_a_budget():
     try:
         rc.raw.flow_library()
