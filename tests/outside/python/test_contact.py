@@ -5,7 +5,7 @@ import weakref
 
 import numpy as np
 import pytest
-from conftest import refused
+from conftest import PITCH, refused
 
 import roughcontact as rc
 
@@ -65,6 +65,15 @@ def test_the_choice_is_explained(rough):
         counts, taken, *left = contact.explain().splitlines()
     assert "points may carry pressure" in counts
     assert taken.startswith(f"{answer.solver} on {answer.backend}: ") and taken.endswith(", taken") and left
+
+
+def test_levels_of_the_cascade(sphere_gap, half_space):
+    with rc.Contact(half_space, options={"solver": "cmr", "cmr.levels": 3}) as contact:
+        answer = contact.solve(undeformed_gap=sphere_gap, approach=3e-7)
+        levels = contact.levels()
+    assert answer.levels == len(levels) == 2
+    assert [level.pressure.shape for level in levels] == [(16, 16), (32, 32)]
+    assert levels[1].pitch == (2 * PITCH, 2 * PITCH)
 
 
 def test_options_can_change(sphere_gap, half_space):

@@ -431,13 +431,6 @@ def test_the_smooth_answer_is_hertz(here):
         )
 
 
-def test_metres_that_only_a_mistaken_unit_explains_are_refused(here):
-    with pytest.raises(rc.ArgumentError, match="pitch would be 20 mm.*give unit"):
-        rc.solve("surface.npy", pitch=0.02, modulus=1e9, load=1e-5)
-    assert rc.solve("surface.npy", pitch=0.02, unit="m", modulus=1e9, load=1e-5).certified
-    assert rc.solve(np.load("surface.npy"), pitch=0.02, modulus=1e9, load=1e-5).certified  # in the caller's units
-
-
 def test_a_layer_is_the_kernel_of_that_name(here):
     words = given({**ELASTIC})
     words["surface"], surface = None, words["surface"]
