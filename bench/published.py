@@ -9,6 +9,7 @@ from statistics import fmean, linear_regression, stdev
 
 import numpy as np
 
+import published_creep as creeps
 import published_forms as forms
 import published_leak as leaks
 import published_rough as rough
@@ -50,6 +51,8 @@ CHALLENGE = ('p / (E* slope)={pressure:g}; p [kPa]={kilopascals:g}; surface={see
 MIRCO = 'input={file}; theirs={theirs:.6e}; ours={ours:.6e}; difference={difference:+.1e}; tolerance of theirs={tolerance:g}'
 SLIP = ("Poisson's ratio={nu:g}; surfaces={surfaces}; shear force, model over vector problem [%]={mean:%+.2f}; largest [%]={most:%.2f}; "
         'field of shears, largest [%]={field:%.0f}')
+CREEP = ('steps={steps}; error of the pressures, ours={ours:err}; Tamaas={theirs:err}; time [s], ours={ours_seconds:.2f}; '
+         'Tamaas={theirs_seconds:.2f}')
 LEAK = ('H={hurst:g}; p / (E* slope)={pressure:g}; surfaces={surfaces}; area={area:.3f}; conductivity over mean gap cubed, ours={ours:.4f}; '
         'proven to within={width:err}; effective medium={medium:.4f}; ours over it={ratio:.2f}')
 SUMMARY = 'published result={name}; source={source}; theirs={theirs}; ours={ours}; part={part}; where they differ={why}'
@@ -146,6 +149,18 @@ def measure_slip(request, store):
         measure(store, 'slip', key, lambda: slips.model_errors(request.slip_points, seed, key['hurst'], 0.05))
 
 
+def measure_creep(request, store):
+    if not creeps.available():
+        print('creep: Tamaas is not installed (pip install tamaas)', file=sys.stderr)
+        return
+    n, exact = request.creep_points, None
+    for steps in creeps.STEPS:
+        key = {'n': n, 'steps': steps}
+        if exact is None and not store.measured('creep', key):
+            exact = creeps.finest(n)
+        measure(store, 'creep', key, lambda: creeps.errors(n, steps, exact))
+
+
 def measure_leak(request, store):
     if not leaks.available():
         return
@@ -160,7 +175,7 @@ def measure_leak(request, store):
 
 
 PARTS = {'forms': measure_forms, 'mirco': measure_mirco, 'crossing': measure_crossing, 'breadth': measure_breadth, 'gfmd': measure_atlas,
-         'challenge': measure_challenge, 'slip': measure_slip, 'leak': measure_leak}
+         'challenge': measure_challenge, 'slip': measure_slip, 'creep': measure_creep, 'leak': measure_leak}
 
 
 def run(request):
@@ -271,7 +286,7 @@ def tables(document):
              'spheres': (SPHERES, document.get('spheres', [])), 'crossing': (CROSSING, list(crossing_rows(document))),
              'breadth': (BREADTH.replace('{columns}', BREADTH_COLUMNS), list(breadth_rows(document))), 'gfmd': (ATLAS, list(atlas_rows(document))),
              'challenge': (CHALLENGE, challenge_rows(document)), 'mirco': (MIRCO, document.get('mirco', [])),
-             'slip': (SLIP, list(slip_rows(document))), 'leak': (LEAK, list(leak_rows(document)))}
+             'slip': (SLIP, list(slip_rows(document))), 'creep': (CREEP, document.get('creep', [])), 'leak': (LEAK, list(leak_rows(document)))}
     return {name: (columns, rows) for name, (columns, rows) in found.items() if rows}
 
 
@@ -316,6 +331,12 @@ def summary(document):
         add('slip', 'shear force of a rough surface in partial slip, from its normal contact alone', 'Ciavarella 1998, Jäger 1998', 'exact at ν = 0',
             f'within {100 * exact["most"]:.0e} % at ν = 0, ' + ', '.join(f'{100 * row["most"]:.1f} % at {row["nu"]:g}' for row in others),
             'the model has one stiffness for all directions; these samples differ by direction')
+    if 'creep' in rows:
+        coarse, *_, fine = rows['creep']
+        add('creep', 'pressures of a rough body that creeps, generalised Maxwell', 'Tamaas 2.9.0, backward Euler',
+            f'off by {coarse["theirs"]:.0e} with {coarse["steps"]} steps, by {fine["theirs"]:.0e} with {fine["steps"]}',
+            f'off by {coarse["ours"]:.0e} and {fine["ours"]:.0e}, in {fine["ours_seconds"]:.1f} s for {fine["theirs_seconds"]:.1f} s',
+            'theirs of first order in the step, ours of second')
     if 'leak' in rows:
         light, *_, heavy = sorted(rows['leak'], key=lambda row: row['area'])
         add('leak', 'flow through the gap between isotropic surfaces, from the distribution of gaps alone', 'effective medium, Bruggeman 1935',
@@ -407,16 +428,25 @@ def slip_picture(document, file):
     drawing.draw(file, entries, 2)
 
 
+def creep_picture(document, file):
+    drawing, rows = Panels(600, 320, 1, 1), document['creep']
+    curves = [drawing.curve([(row['steps'], row[name]) for row in rows], style(number)) for number, name in enumerate(('ours', 'theirs'))]
+    curves += [f'{factor}/x**{order} with lines {PROPORTIONAL}' for factor, order in ((0.5, 1), (0.2, 2))]
+    settings = axes('time steps', 'error', (3, 170), ('*', '*'), PLAIN + 'set format y "10^{%T}"')
+    drawing.panel(0, 0, 'error of the pressures after two seconds', settings, curves)
+    drawing.draw(file, [('ours', style(0)), ('Tamaas', style(1)), ('first and second order', f'lines {PROPORTIONAL}')], 3)
+
+
 def sections(results):
     document = load(results, 'published')
     found = tables(document)
-    names = 'forms', 'waves', 'spheres', 'crossing', 'breadth', 'gfmd', 'challenge', 'mirco', 'slip', 'leak'
+    names = 'forms', 'waves', 'spheres', 'crossing', 'breadth', 'gfmd', 'challenge', 'mirco', 'slip', 'creep', 'leak'
     made = {name: records(*found[name]) if name in found else missing(f'roughcontact-bench published {name}') for name in names}
     return {'summary': records(SUMMARY, summary(document)), **made, 'provenance': provenance(document)}
 
 
 PICTURES = {'forms': ('forms', forms_picture), 'crossing': ('crossing', crossing_picture), 'area': ('gfmd', area_picture),
-            'challenge': ('distributions', challenge_picture), 'slip': ('slip', slip_picture)}
+            'challenge': ('distributions', challenge_picture), 'slip': ('slip', slip_picture), 'creep': ('creep', creep_picture)}
 
 
 def pictures(results, images):
@@ -434,7 +464,7 @@ question('published', 'published numbers beside those of the library', run, {
     'challenge_points': (listed(side), [2048, 4096, 8192], 'points per side, challenge'),
     'challenge_seeds': (ranged(int, 1, 100), 2, 'surfaces of the challenge'),
     'slip_points': (side, 128, 'points per side, slip'), 'slip_seeds': (ranged(int, 1, 100), 20, 'surfaces that slip'),
-    'leak_points': (side, 512, 'points per side, leak'), 'tol': (float, 1e-6, 'certified tolerance'), **ALL_THREADS},
+    'creep_points': (side, 128, 'points per side, creep'), 'leak_points': (side, 512, 'points per side, leak'), 'tol': (float, 1e-6, 'certified tolerance'), **ALL_THREADS},
     {'form_points': [64, 128], 'points': 128, 'atlas_points': 512, 'seeds': 2, 'crossing_seeds': 3, 'challenge_points': [256, 512],
-     'challenge_seeds': 1, 'slip_points': 32, 'slip_seeds': 2, 'leak_points': 64},
+     'challenge_seeds': 1, 'slip_points': 32, 'slip_seeds': 2, 'creep_points': 32, 'leak_points': 64},
     'small grids and few surfaces, under a minute', names=tuple(PARTS))
