@@ -1,5 +1,6 @@
 """Which library is loaded, and what is said where there is none. Each in a Python of its own."""
 
+import math
 import os
 import shutil
 import subprocess
@@ -70,3 +71,34 @@ def test_solving_loads_neither_the_surface_library_nor_matplotlib(tmp_path):
     )
     ran = python(code, tmp_path, ROUGHCONTACT_LIBRARY=rc.library_file())
     assert ran.stdout.split() == ["False", "False"], ran.stderr
+
+
+def test_a_default_wheel_names_the_distribution_that_has_the_rest(tmp_path):
+    """The package as its wheel has it: no library under the GPL inside, none of the system's."""
+    copy = tmp_path / "roughcontact"
+    shutil.copytree(
+        os.path.dirname(rc.__file__), copy, ignore=shutil.ignore_patterns("lib", "__pycache__", "library_folder.txt")
+    )
+    (copy / "lib").mkdir()
+    for name in ("", "-formats", "-request"):
+        file = f"libroughcontact{name}.so.0"
+        shutil.copy(os.path.join(os.path.dirname(rc.library_file()), file), copy / "lib" / file)
+    code = """import roughcontact as rc
+print(rc.example())
+for call in (lambda: rc.surface.noise((4, 4)), lambda: rc.flow([[1, 1]], pitch=1, viscosity=1, pressure_drop=1),
+             lambda: rc.solve(rc.example(), E=1e9, nu=0.3, load=1e-3, backend="split")):
+    try: call()
+    except rc.RoughContactError as error: print(type(error).__name__, "pip install roughcontact-gpl" in str(error))
+"""
+    ran = python(code, tmp_path, PYTHONPATH=str(tmp_path), PYTHONDONTWRITEBYTECODE="1")
+    said = ["LibraryNotFoundError True", "LibraryNotFoundError True", "NoBackendError True"]
+    assert ran.stdout.splitlines()[1:] == said, ran.stdout + ran.stderr
+
+
+def test_the_example_is_a_surface_that_can_be_made():
+    wave = 2 * math.pi / 2.5e-6
+    example, made = rc.example(), rc.surface.spectral(
+        (256, 256), pitch=4e-8, rms_height=3e-8, hurst=0.8, q_rolloff=wave, seed=1
+    )
+    assert example.unit == "m" and example.periodic and example.pitch == made.pitch
+    assert abs(example.heights - made.heights).max() < 1e-7 * made.heights.max()  # single precision
