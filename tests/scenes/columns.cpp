@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <functional>
 
 #include "property.h"
 
@@ -14,6 +15,8 @@ namespace {
 constexpr std::array names{"load",       "approach",   "contact_area", "mean_gap",   "energy",          "stiffness",
                            "load_lower", "load_upper", "area_lower",   "area_upper", "stiffness_lower", "stiffness_upper",
                            "certificate"};
+
+constexpr std::size_t stiffness = 5, load_lower = 6, stiffness_lower = 10, stiffness_upper = 11;
 
 bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b)); }
 
@@ -27,10 +30,19 @@ Columns::Columns(std::size_t steps)
       status(steps, -7) {}
 
 void Columns::leave_out(Random& random) {
-  constexpr std::size_t stiffness = 5, stiffness_lower = 10, stiffness_upper = 11;
   for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] = random.chance(0.5);
   // With its interval a stiffness is computed to more digits.
   if (wanted[stiffness] && !wanted[stiffness_upper]) wanted[stiffness_lower] = true;
+}
+
+pairs::Settings Columns::options(const Scene& scene) const {
+  const auto given = [&](const char* name) {
+    return std::ranges::find(scene.settings, name, &std::pair<std::string, std::string>::first)->second;
+  };
+  const bool interval = wanted[stiffness_lower] || wanted[stiffness_upper];
+  const bool bounds = interval || std::any_of(wanted.begin() + load_lower, wanted.begin() + stiffness_lower, std::identity());
+  const std::string least = interval ? "2" : wanted[stiffness] ? "1" : "0";
+  return {{"stiffness", std::max(least, given("stiffness"))}, {"bounds", bounds ? "1" : given("bounds")}};
 }
 
 rc_columns Columns::request() {

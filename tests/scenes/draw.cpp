@@ -46,6 +46,10 @@ void draw_sides(Random& random, rc_system& s, bool reduced, bool stored) {
       s.nx = random.one_of(sides);
       s.ny = random.one_of(sides);
     } while (s.nx * s.ny > 128 * 128);
+    if (random.chance(0.25)) {  // thin
+      s.nx = random.between(1, 16);
+      s.ny = random.between(301, 1200);
+    }
   }
   if (random.chance(0.5)) std::swap(s.nx, s.ny);
 }

@@ -11,9 +11,6 @@ namespace scenes {
 
 namespace {
 
-// All intervals and stiffnesses, as histories and batches give them if they are wanted.
-const pairs::Settings everything{{"stiffness", "2"}, {"bounds", "1"}};
-
 // As histories and batches have them: one surface, and no start given.
 bool one_history(const Scene& scene) {
   return std::ranges::all_of(scene.steps, [](const Step& step) { return step.surface == 0 && step.p0.empty(); });
@@ -66,14 +63,14 @@ class AsHistory final : public Property {
     if (!one_history(c.scene())) return "no history";
     if (!all_certified(c)) return "not certified";
     by_steps_ = by_history_ = Columns(c.scene().steps.size());
-    const Handle steps = c.open(everything);
-    const auto answers = c.solve_all(steps.get());
-    for (std::size_t k = 0; k < answers.size(); ++k) by_steps_.take(k, answers[k]);
-    p_by_steps_ = pressures_of(answers);
     const Handle contact = c.open();
     kept_.points = c.scene().points();
     Random random(c.scene().seed, 550);
     if (random.chance(0.5)) by_history_.leave_out(random);
+    const Handle steps = c.open(by_history_.options(c.scene()));
+    const auto answers = c.solve_all(steps.get());
+    for (std::size_t k = 0; k < answers.size(); ++k) by_steps_.take(k, answers[k]);
+    p_by_steps_ = pressures_of(answers);
     status_ = follow(c, contact.get(), targets_of(c.scene(), 0), c.scene().surfaces.front(), by_history_, kept_);
     return "";
   }
@@ -159,6 +156,14 @@ class AsBatch final : public Property {
   std::string message_;
 };
 
+// As a contact compares the surface of a step with that of the step before.
+bool same_surface(const Surface& a, const Surface& b) {
+  if (a.mask != b.mask) return false;
+  for (std::size_t i = 0; i < a.gap.size(); ++i)
+    if (a.included(i) && a.gap[i] != b.gap[i]) return false;
+  return true;
+}
+
 // A contact that is restored after a step goes on as the one that solved it.
 class AsRestored final : public Property {
  public:
@@ -181,7 +186,7 @@ class AsRestored final : public Property {
     state.approach = last.result.approach;
     state.load = last.result.load;
     state.indentation = RC_IN(last.indentation_after.empty() ? nullptr : last.indentation_after.data());
-    if (k > 0 && scene.steps[k - 1].surface == scene.steps[k].surface) {
+    if (k > 0 && same_surface(c.surface(k - 1), surface)) {
       state.p_before = RC_IN(answers[k - 1].p.data());
       state.approach_before = answers[k - 1].result.approach;
       state.load_before = answers[k - 1].result.load;

@@ -52,6 +52,26 @@ Change changed(const Case& c, const StepAnswer& answer, const Exact& exact, cons
   return change;
 }
 
+// dJ/dh: with s = dJ/dp + H dJ/dgap + the load's part, dJ/dgap - H_FF^-1 s at loose points, and by the load the part of the
+// approach.
+Reals gradient_of(const Case& c, const Exact& exact, const Factor& factor, const Field& by_p, const Field& by_gap, Real by_load,
+                  Real by_approach) {
+  const std::size_t n = c.scene().points();
+  Reals result(n, 0);
+  Real gaps = 0;
+  for (std::size_t i = 0; i < n; ++i)
+    if (c.surface(0).included(i)) gaps += result[i] = by_gap[i];
+  const Reals deflected = c.h().times(result);
+  Reals s;
+  for (const std::size_t i : exact.loose)
+    s.push_back(static_cast<Real>(by_p[i]) + deflected[i] + by_load * c.scene().cell_area());
+  const Reals y = factor.solve(s), unit = factor.solve(Reals(s.size(), 1));
+  const Real rest = std::accumulate(y.begin(), y.end(), Real{0}) - gaps + by_approach,
+             share = c.scene().by_load() ? rest / std::accumulate(unit.begin(), unit.end(), Real{0}) : 0;
+  for (std::size_t k = 0; k < y.size(); ++k) result[exact.loose[k]] += share * unit[k] - y[k];
+  return result;
+}
+
 class Slopes final : public Property {
  public:
   std::string ask(const Case& c) override {
@@ -105,6 +125,16 @@ class Slopes final : public Property {
     if (!std::isnan(tangent_.error))
       need(std::sqrt(error) <= static_cast<Real>(tangent_.error) * (1 + 1e-6L) + allowed * 1e-2L,
            "the error of dp is " + number(std::sqrt(error)) + ", promised " + number(tangent_.error));
+    if (!std::isnan(gradient_.error)) {
+      const Reals gradient = gradient_of(c, exact_, *factor_, dJ_dp_, dJ_dgap_, gradient_.dJ_dload, gradient_.dJ_dapproach);
+      Real off = 0, all = 0;
+      for (std::size_t i = 0; i < gradient.size(); ++i) {
+        off += std::pow(static_cast<Real>(dJ_dh_[i]) - gradient[i], 2);
+        all += gradient[i] * gradient[i];
+      }
+      need(std::sqrt(off) <= static_cast<Real>(gradient_.error) * (1 + 1e-6L) + 1e-9L * std::sqrt(all),
+           "the error of dJ/dh is " + number(std::sqrt(off)) + ", promised " + number(gradient_.error));
+    }
     const Real cell = c.scene().cell_area();
     const auto near = [&](Real value, Real wanted, Real slack, const char* what) {
       need(std::abs(value - wanted) <= slack, std::string(what) + " " + number(value) + " instead of " + number(wanted));

@@ -60,42 +60,11 @@ void equals_single_contacts(const Study& study, const Outcome& outcome) {
   }
 }
 
-const Pair pairs_tried[] = {{"haar-cg", "fft"}, {"polonsky-keer", "fft"}, {"nnls", "dense"}, {"cmr", "fft"}};
-
-void equals_single(const Pair& pair, std::int32_t boundary, std::int32_t control) {
-  for (const bool warm : {true, false}) {
-    Study study = rough_study(quick() ? 3 : 6, 3, control, boundary);
-    study.pair = pair;
-    study.warm = warm;
-    study.settings = {{RC_OPT_TOL, "1e-9"}};
-    study.with_stiffness = warm;
-    const Outcome one = study.solve(1);
-    equals_single_contacts(study, one);
-    for (const int threads : {2, 3}) check_same(one, study.solve(threads));
-  }
-}
-
 void more_threads_than_contacts() {
   const Study study = rough_study(2, 2);
   const Outcome outcome = study.solve(9);
   equals_single_contacts(study, outcome);
   check_same(study.solve(1), outcome);
-}
-
-void masks_belong_to_their_contacts() {
-  Study study = rough_study(4, 2);
-  study.masks.assign(study.gaps.size(), 1);
-  std::vector<std::size_t> highest;
-  for (std::int64_t i = 0; i < study.n; ++i) {
-    const double* const begin = study.gap(i);
-    const auto at = static_cast<std::size_t>(std::min_element(begin, begin + study.points()) - begin);
-    highest.push_back(static_cast<std::size_t>(i) * study.points() + at);
-    if (i % 2 == 0) study.masks[highest.back()] = 0;
-  }
-  const Outcome outcome = study.solve(2);
-  equals_single_contacts(study, outcome);
-  for (std::int64_t i = 0; i < study.n; ++i)
-    check((outcome.p[highest[static_cast<std::size_t>(i)]] == 0) == (i % 2 == 0), "mask of contact " + std::to_string(i));
 }
 
 // Grids on which a cold start begins on a coarser one: what is kept of those from surface to surface changes nothing.
@@ -218,58 +187,22 @@ void outputs_may_be_null() {
                 RC_OK, 3, 3, -1);
 }
 
-void other_operators() {
-  const Study rough = rough_study(3, 2, RC_CONTROL_APPROACH, RC_BOUNDARY_FREE, 5, 4);
-  Field H(400);
-  for (std::size_t i = 0; i < 20; ++i)
-    for (std::size_t j = 0; j < 20; ++j) H[20 * i + j] = i == j ? 1 : 0.3 / (1 + std::abs(double(i) - double(j)));
-  Study dense = rough;
-  dense.pair = {"nnls", "dense"};
-  dense.problem.system.op = RC_OPERATOR_DENSE;
-  dense.problem.system.dense = H.data();
-  dense.problem.system.dense_ld = 20;
-  equals_single_contacts(dense, dense.solve(2));
-  Study product = rough;
-  product.pair = {"polonsky-keer", "callback"};
-  product.problem.system.op = RC_OPERATOR_CALLBACK;
-  product.problem.system.user = H.data();
-  product.problem.system.apply = [](const double* x, double* y, std::int64_t n, void* user) {
-    const double* const matrix = static_cast<const double*>(user);
-    for (std::int64_t i = 0; i < n; ++i) {
-      y[i] = 0;
-      for (std::int64_t j = 0; j < n; ++j) y[i] += matrix[i * n + j] * x[j];
-    }
-    return std::int32_t{0};
-  };
-  equals_single_contacts(product, product.solve(2));
-}
-
 }  // namespace
 
 std::vector<Test> against_single_tests() {
   std::vector<Test> tests;
-  const std::vector<std::string> backends = backend_names();
-  for (const Pair& pair : pairs_tried)
-    for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC})
-      for (const std::int32_t control : controls) {
-        if (std::find(backends.begin(), backends.end(), pair.backend) == backends.end()) continue;
-        const rc_system system = rough_study(0, 0, control, boundary).problem.system;
-        if (!obstacle(pair, system, control).empty()) continue;
-        tests.push_back({group_name(pair, system, control) + "/batch_equals_single_contacts",
-                         [=] { equals_single(pair, boundary, control); }});
-        if (pair.solver == "haar-cg")
-          tests.push_back({group_name(pair, system, control) + "/coarse_grids_start_anew",
-                           [=] { coarse_grids_start_anew(boundary, control); }});
-      }
+  for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC})
+    for (const std::int32_t control : controls)
+      tests.push_back({group_name({"haar-cg", "fft"}, rough_study(0, 0, control, boundary).problem.system, control) +
+                           "/coarse_grids_start_anew",
+                       [=] { coarse_grids_start_anew(boundary, control); }});
   tests.push_back({"more_threads_than_contacts", more_threads_than_contacts});
-  tests.push_back({"masks_belong_to_their_contacts", masks_belong_to_their_contacts});
   tests.push_back({"a_shared_array_serves_all", a_shared_array_serves_all});
   tests.push_back({"strides_leave_room_between_contacts", strides_leave_room_between_contacts});
   tests.push_back({"pressures_start_the_next_call", pressures_start_the_next_call});
   tests.push_back({"floats_serve_as_gap_start_and_pressures", floats_serve_as_gap_start_and_pressures});
   tests.push_back({"fn_sees_each_step_in_order", fn_sees_each_step_in_order});
   tests.push_back({"outputs_may_be_null", outputs_may_be_null});
-  tests.push_back({"other_operators", other_operators});
   return tests;
 }
 

@@ -1,4 +1,4 @@
-// test_batch [singles | coarse | others]: a part of the tests, which take about as long each. Without a word, or with the name of
+// test_batch [coarse | others]: a part of the tests, which take about as long each. Without a word, or with the name of
 // a test: all, or that one.
 #include <map>
 #include <string>
@@ -7,10 +7,7 @@
 
 namespace {
 
-std::string part_of(const std::string& test) {
-  if (test.ends_with("/batch_equals_single_contacts")) return "singles";
-  return test.ends_with("/coarse_grids_start_anew") ? "coarse" : "others";
-}
+std::string part_of(const std::string& test) { return test.ends_with("/coarse_grids_start_anew") ? "coarse" : "others"; }
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// The plastic indentation that steps leave: what commits it, what does not, what forgets it, and that unloading is elastic.
+// The plastic indentation that steps leave: what commits it, what does not, and what forgets it.
 #include <roughcontact/history.h>
 
 #include <algorithm>
@@ -34,51 +34,6 @@ Problem at(Problem problem, double share) {
 }
 
 const Pair pair = {"polonsky-keer", "dense"};
-
-// Unloading and loading again up to the former maximum is the elastic contact on the indented surface.
-void unloading_is_elastic(std::int32_t boundary, const Pair& by) {
-  const Problem problem = yielding(boundary);
-  const Contact contact(problem, by, {{RC_OPT_TOL, "1e-13"}});
-  const Answer most = contact.solve(problem);
-  check_status(most, RC_OK);
-  check(most.result.capped > 10 && most.result.plastic_volume > 0, "the surface should yield");
-  const Field left = indentation_of(contact, problem.points());
-  for (const double share : {0.9, 0.5, 0.2, 0.7, 1.0}) {
-    Problem elastic = at(problem, share);
-    const Answer answer = contact.solve(elastic);
-    check_status(answer, RC_OK);
-    for (std::size_t i = 0; i < left.size(); ++i) elastic.gap[i] += left[i];
-    elastic.system.hardness = 0;
-    const Answer expected = solve(elastic, by, {{RC_OPT_TOL, "1e-13"}});
-    check_status(expected, RC_OK);
-    check_near(answer.p, expected.p, 1e-10, "p");
-    check_near(answer.result.load, expected.result.load, 1e-11 * expected.result.load, "load");
-    if (share < 1) {
-      check_equal(answer.result.capped, 0, "points at the hardness");
-      check(answer.result.plastic_volume == 0, "nothing yields");
-      check_same(indentation_of(contact, problem.points()), left, "indentation");
-    } else {
-      check_near(answer.p, most.p, 1e-10, "p at the former maximum");
-      check_near(answer.result.plastic_volume, 0, 1e-10 * most.result.plastic_volume, "plastic volume at the former maximum");
-    }
-  }
-}
-
-// The surface given again in every step, as finite element codes do, counts as it was before the first.
-void a_surface_given_again_is_the_original() {
-  const Problem problem = yielding();
-  const Contact once(problem, pair), again(problem, pair);
-  for (const double share : {0.8, 1.0, 0.5, 1.2}) {
-    const Problem step = at(problem, share);
-    rc_step kept = step.step();
-    if (share != 0.8) kept.undeformed_gap.data = nullptr;
-    const Answer a = once.solve(kept), b = again.solve(step);
-    check_status(a, RC_OK);
-    check_same(a.p, b.p, "p");
-    check_same(a.gap, b.gap, "gap");
-    check_same(indentation_of(once, problem.points()), indentation_of(again, problem.points()), "indentation");
-  }
-}
 
 // Independent springs, whose exact load is a sum. The gap with its indentation is rounded, the more the higher its datum.
 void intervals_count_the_rounded_gap() {
@@ -187,31 +142,6 @@ void check_batch(const Problem& problem, const rc_history& path, const Field& lo
     check(of_batch[i] == loads[i % loads.size()], "the loads of a batch are those of a path");
 }
 
-void a_path_is_its_steps() {
-  const Problem problem = yielding(RC_BOUNDARY_PERIODIC);
-  const Contact single(problem, pair), whole(problem, pair);
-  Field targets, loads(std::size(shares)), expected;
-  for (const double share : shares) targets.push_back(share * problem.target);
-  for (const double target : targets) {
-    Problem step = problem;
-    step.target = target;
-    const Answer answer = single.solve(step);
-    check_status(answer, RC_OK);
-    expected.push_back(answer.result.load);
-  }
-  rc_history path = RC_HISTORY_INIT;
-  path.control = problem.control;
-  path.n = static_cast<std::int64_t>(targets.size());
-  path.targets = RC_IN(targets.data());
-  path.undeformed_gap = RC_IN(problem.gap.data());
-  path.columns.load = RC_OUT(loads.data());
-  check(rc_contact_solve_history(whole.handle(), &path) == RC_OK, rc_last_error());
-  check_same(loads, expected, "loads");
-  check_same(indentation_of(whole, problem.points()), indentation_of(single, problem.points()), "indentation");
-
-  check_batch(problem, path, expected);
-}
-
 // With `virgin` each step is that of a contact of its own, and the history leaves no indentation.
 void a_virgin_history_presses_the_first_surface() {
   for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC}) {
@@ -256,42 +186,6 @@ void a_virgin_history_presses_the_first_surface() {
   }
 }
 
-// Another contact goes on with the same bits.
-void a_restored_history_goes_on() {
-  const Problem problem = yielding();
-  const Settings resumable = {{RC_OPT_RESUMABLE, "1"}};
-  const Contact whole(problem, pair, resumable), second(problem, pair, resumable);
-  std::vector<Answer> answers;
-  for (const double share : shares) {
-    if (answers.size() == 3) {
-      const Field left = indentation_of(whole, problem.points());
-      rc_state state = RC_STATE_INIT;
-      state.undeformed_gap = RC_IN(problem.gap.data());
-      state.indentation = RC_IN(left.data());
-      const Answer &last = answers[2], &before = answers[1];
-      state.p = RC_IN(last.p.data());
-      state.approach = last.result.approach;
-      state.load = last.result.load;
-      state.p_before = RC_IN(before.p.data());
-      state.approach_before = before.result.approach;
-      state.load_before = before.result.load;
-      check(rc_contact_restore(second.handle(), &state) == RC_OK, rc_last_error());
-      check_same(indentation_of(second, problem.points()), left, "restored indentation");
-    }
-    const Problem present = at(problem, share);
-    rc_step step = present.step();
-    if (!answers.empty()) step.undeformed_gap.data = nullptr;
-    answers.push_back(whole.solve(step));
-    check_status(answers.back(), RC_OK);
-    if (answers.size() <= 3) continue;
-    const Answer resumed = second.solve(step);
-    check_status(resumed, RC_OK);
-    check_same(resumed.p, answers.back().p, "p");
-    check_same(resumed.gap, answers.back().gap, "gap");
-  }
-  check_same(indentation_of(second, problem.points()), indentation_of(whole, problem.points()), "indentation");
-}
-
 // With a hardness option accuracy solves the whole grid, whose contact yields there: its indentation is the whole grid's.
 void an_accuracy_goal_indents_the_whole_grid() {
   const Settings goal = {{RC_OPT_ACCURACY, "0.1"}};
@@ -323,42 +217,16 @@ void an_accuracy_goal_indents_the_whole_grid() {
   check_near(answer.result.load, expected, 1e-2 * expected, "load");
 }
 
-// dW/dd over the points below the hardness is the derivative of the load.
-void stiffness_is_of_the_free_points() {
-  Problem problem = yielding();
-  const Settings settings = {{RC_OPT_STIFFNESS, "1"}, {RC_OPT_TOL, "1e-13"}};
-  for (const char* backend : {"dense", "fft"}) {
-    const double step = 1e-6 * problem.target;
-    const Answer middle = solved(problem, {"nnls", backend}, settings);
-    Problem less = problem, more = problem;
-    less.target -= step;
-    more.target += step;
-    const double slope =
-        (solved(more, {"nnls", backend}, settings).result.load - solved(less, {"nnls", backend}, settings).result.load) /
-        (2 * step);
-    check_near(middle.result.stiffness, slope, 1e-6 * slope, "stiffness");
-  }
-}
-
 }  // namespace
 
 }  // namespace pairs
 
 int main(int argc, char** argv) {
   using namespace pairs;
-  std::vector<Test> tests = {{"a_surface_given_again_is_the_original", a_surface_given_again_is_the_original},
-                             {"intervals_count_the_rounded_gap", intervals_count_the_rounded_gap},
+  std::vector<Test> tests = {{"intervals_count_the_rounded_gap", intervals_count_the_rounded_gap},
                              {"what_fails_leaves_nothing", what_fails_leaves_nothing},
                              {"certify_sees_the_indentation", certify_sees_the_indentation},
                              {"a_virgin_history_presses_the_first_surface", a_virgin_history_presses_the_first_surface},
-                             {"a_path_is_its_steps", a_path_is_its_steps},
-                             {"a_restored_history_goes_on", a_restored_history_goes_on},
-                             {"an_accuracy_goal_indents_the_whole_grid", an_accuracy_goal_indents_the_whole_grid},
-                             {"stiffness_is_of_the_free_points", stiffness_is_of_the_free_points}};
-  for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC})
-    for (const std::string& solver : capped_solvers("fft", yielding(boundary).system))
-      tests.push_back({solver + (boundary == RC_BOUNDARY_FREE ? "/free" : "/periodic") + "/unloading_is_elastic", [=] {
-                         unloading_is_elastic(boundary, {solver, "fft"});
-                       }});
+                             {"an_accuracy_goal_indents_the_whole_grid", an_accuracy_goal_indents_the_whole_grid}};
   return run_group("hardness histories", tests, argc, argv);
 }

@@ -1,4 +1,4 @@
-// Every output of a history and of a batch is that of its step's result, whatever the options are.
+// Outputs of histories and batches that are asked for alone, and what a callback may ask for.
 #include <roughcontact/history.h>
 
 #include <cmath>
@@ -81,34 +81,6 @@ void check_output(const Output& output, const Field& found, const std::vector<rc
     const double value = expected[i % expected.size()].*output.of_result;
     check(std::isfinite(value), std::string(output.name) + " is not known");
     check_near(found[i], value, 1e-12 * std::abs(value), output.name);
-  }
-}
-
-void outputs_are_those_of_the_results(std::int32_t boundary, const Pair& pair) {
-  const Problem problem = rough_problem(18, 14, boundary, 0.5, 0.75);
-  const Field targets = targets_of(problem);
-  const std::vector<rc_result> expected = results_of(problem, targets, pair);
-  for (const char* bounds : {"0", "1"}) {
-    const Settings settings = {{RC_OPT_BOUNDS, bounds}};
-    const Contact contact(problem, pair, settings);
-    Field found[std::size(outputs)];
-    rc_history history = history_of(problem, targets);
-    rc_batch batch = batch_of(problem, targets, 3);
-    for (std::size_t k = 0; k < std::size(outputs); ++k) {
-      found[k].resize(targets.size());
-      history.columns.*outputs[k].column = RC_OUT(found[k].data());
-    }
-    check(rc_contact_solve_history(contact.handle(), &history) == RC_OK, rc_last_error());
-    for (std::size_t k = 0; k < std::size(outputs); ++k) {
-      check_output(outputs[k], found[k], expected);
-      found[k].assign(3 * targets.size(), -7);
-      batch.columns.*outputs[k].column = RC_OUT(found[k].data());
-    }
-    const Answer after = contact.solve(problem);
-    check(std::isnan(after.result.stiffness), "option stiffness after the history");
-    check(std::isnan(after.result.load_lower) == (*bounds == '0'), "option bounds after the history");
-    check(rc_batch_solve(&problem.system, make_options(pair, problem.kernel, settings).get(), &batch) == RC_OK, rc_last_error());
-    for (std::size_t k = 0; k < std::size(outputs); ++k) check_output(outputs[k], found[k], expected);
   }
 }
 
@@ -214,10 +186,6 @@ void a_periodic_approach_is_the_change_of_the_mean_gap() {
 
 std::vector<Test> output_tests() {
   std::vector<Test> tests;
-  for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC})
-    for (const Pair& pair : {automatic, Pair{"haar-cg", "fft"}, Pair{"nnls", "dense"}})
-      tests.push_back({"outputs_are_those_of_the_results/" + std::to_string(boundary) + pair.name(),
-                       [=] { outputs_are_those_of_the_results(boundary, pair); }});
   tests.push_back({"each_output_comes_by_itself", each_output_comes_by_itself});
   tests.push_back({"a_step_without_an_answer_has_no_numbers", a_step_without_an_answer_has_no_numbers});
   tests.push_back({"fn_may_ask_for_its_points", [] { fn_may_ask_for_its_points({}); }});

@@ -33,35 +33,10 @@ void restore(const Contact& contact, const Problem& problem, const std::vector<S
   check(rc_contact_restore(contact.handle(), &state) == RC_OK, rc_last_error());
 }
 
-void goes_on_after_every_step(const Problem& problem, const Pair& pair, const Settings& settings, Request request) {
-  const History whole = followed(Contact(problem, pair, settings), problem, request);
-  const Field targets = request.targets;
-  request.with_gap = false;
-  for (std::size_t cut = 1; cut < targets.size(); ++cut) {
-    const Contact contact(problem, pair, settings);
-    restore(contact, problem, whole.seen, cut - 1);
-    request.targets.assign(targets.begin() + static_cast<std::ptrdiff_t>(cut), targets.end());
-    check_same(followed(contact, problem, request), whole, cut, request.targets.size());
-  }
-}
-
 Field scaled(double top) {
   Field targets = fractions;
   for (double& each : targets) each *= top;
   return targets;
-}
-
-void every_cut_gives_the_same_bits(std::int32_t boundary, const Pair& pair) {
-  Problem problem = rough_problem(18, 14, boundary, 0.5, 0.75);
-  problem.mask.assign(problem.points(), 1);
-  problem.mask[5] = 0;
-  const double load = solved(problem, automatic).result.load;
-  for (const std::int32_t control : controls) {
-    Request request;
-    request.control = control;
-    request.targets = scaled(control == RC_CONTROL_LOAD ? load : problem.target);
-    goes_on_after_every_step(problem, pair, complete(pair, {{RC_OPT_RESUMABLE, "1"}}), request);
-  }
 }
 
 // Answers without a gap: only points that matter are looked at.
@@ -114,9 +89,6 @@ std::vector<Test> restored_tests() {
   add_larger("cascade", 160, {"cmr", "fft"}, {});
   add_larger("goal", 160, {"auto", "fft"}, {{RC_OPT_ACCURACY, "0.1"}});
   add_larger("few_points", 512, {"haar-cg", "split"}, {});
-  for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC})
-    add_for_pairs(tests, "every_cut_gives_the_same_bits", boundary,
-                  [boundary](const Pair& pair) { every_cut_gives_the_same_bits(boundary, pair); });
   return tests;
 }
 
