@@ -1,4 +1,4 @@
-// The bounds that results prove, compared with trusted and exact solutions.
+// The bounds that results prove: narrow, free of cost, and none where nothing is proven.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -9,20 +9,6 @@
 namespace pairs {
 
 namespace {
-
-// Intervals around the reference cases' loads and counts.
-void holds_on_a_case(const ReferenceCase& reference, const char* backend) {
-  const Answer answer = solved(reference.problem, {"auto", backend}, {{RC_OPT_TOL, "1e-10"}});
-  const rc_result& r = answer.result;
-  check(r.load_lower <= reference.load * (1 + 1e-11) && reference.load * (1 - 1e-11) <= r.load_upper,
-        "load " + text(reference.load) + " is not in " + text(r.load_lower) + " .. " + text(r.load_upper));
-  const double area = static_cast<double>(reference.contacts) * reference.problem.cell_area();
-  if (reference.count_is_robust)
-    check(r.area_lower <= area * (1 + 1e-12) && area <= r.area_upper * (1 + 1e-12),
-          "area " + text(area) + " is not in " + text(r.area_lower) + " .. " + text(r.area_upper));
-  check(r.load_upper - r.load_lower <= 1e-5 * std::abs(r.load) + 1e-300,
-        "the load interval is wide: " + text(r.load_upper - r.load_lower));
-}
 
 void few_points_are_undecided(const Problem& problem, const Pair& pair) {
   const Answer answer = solved(problem, pair, {{RC_OPT_TOL, "1e-10"}});
@@ -112,14 +98,10 @@ std::vector<Test> all_tests() {
   tight("noise_oblong_cells", oblong, by_transforms);
 
   const auto reference = read_reference_cases();
-  for (const ReferenceCase& each : reference.cases) {
-    for (const char* backend : {"dense", "fft"})
-      if (each.candidates <= 3000 || std::string(backend) == "fft")
-        tests.push_back({"intervals_hold/" + each.name + "/" + backend, [=] { holds_on_a_case(each, backend); }});
+  for (const ReferenceCase& each : reference.cases)
     if (each.name.starts_with("m02") || each.name.starts_with("m04") || each.name.starts_with("m06") ||
         each.name.starts_with("l01"))
       tight(each.name, each.problem, {"auto", "auto"});
-  }
   return tests;
 }
 

@@ -1,4 +1,5 @@
-// A contact pressed to a contact area or a mean pressure, by steps, histories and batches.
+// A contact pressed to a contact area or a mean pressure. That histories and batches have the bits of steps is a property of
+// scenes.
 #include <roughcontact/derivatives.h>
 #include <roughcontact/history.h>
 
@@ -79,39 +80,6 @@ void the_approach_fits_the_pressures(std::int32_t boundary) {
   check(largest_miss > 1e-6, "each load is met to round-off: nothing is tested");
 }
 
-const Field shares = {0.02, 0.1, 0.3, 0.05, 0, 0.2};
-
-Field areas(const Problem& problem) {
-  Field targets;
-  for (const double share : shares) targets.push_back(share * whole(problem));
-  return targets;
-}
-
-// The steps of a history are those of a contact, one call each.
-void a_history_meets_each_area(std::int32_t boundary) {
-  const Problem problem = rough(boundary);
-  for (const std::int32_t warm : {1, 0}) {
-    paths::Request request;
-    request.control = RC_CONTROL_AREA;
-    request.warm_start = warm;
-    request.targets = areas(problem);
-    const paths::History history = paths::followed(Contact(problem, automatic, settings), problem, request);
-    const Contact contact(problem, automatic, {settings[0], {RC_OPT_STIFFNESS, "1"}});
-    rc_step step = problem.step();
-    step.control = RC_CONTROL_AREA;
-    step.warm_start = warm;
-    for (std::size_t i = 0; i < shares.size(); ++i) {
-      check_met(history.contact_area[i], request.targets[i], problem);
-      check(history.seen[i].result.contact_area == history.contact_area[i], "what the function sees");
-      step.target = request.targets[i];
-      const Answer answer = contact.solve(step);
-      check_status(answer, RC_OK);
-      pairs::check_same(answer.p, history.seen[i].p, "p");
-      check_equal(answer.result.products, history.products[i], "products");
-    }
-  }
-}
-
 void cold_steps_do_not_depend_on_earlier_ones() {
   const Problem problem = rough(RC_BOUNDARY_PERIODIC);
   const Contact contact(problem, automatic, settings);
@@ -124,34 +92,6 @@ void cold_steps_do_not_depend_on_earlier_ones() {
   const Answer again = contact.solve(step);  // operators may remember more: equal to round-off
   check_near(again.result.load, first.result.load, 1e-12 * first.result.load, "load");
   check_near(again.p, first.p, 1e-12, "p");
-}
-
-void a_batch_is_its_histories(std::int32_t control, std::int32_t boundary) {
-  batch::Study study = batch::rough_study(3, 2, control, boundary);
-  study.settings = settings;
-  for (std::int64_t i = 0; i < study.n; ++i)
-    for (std::int64_t k = 0; k < study.steps; ++k)
-      study.target(i, k) = control == RC_CONTROL_AREA ? whole(study.problem) * (0.05 + 0.1 * static_cast<double>(i + k))
-                                                      : study.problem.system.modulus * 1e-3 * static_cast<double>(1 + i + k);
-  const batch::Outcome one = study.solve(1);
-  batch::check_outcome(one, RC_OK, study.n, study.n, -1);
-  batch::check_same(one, study.solve(2));
-  for (std::int64_t i = 0; i < study.n; ++i) {
-    paths::Request request;
-    request.control = control;
-    request.targets = {study.target(i, 0), study.target(i, 1)};
-    request.with_stiffness = false;
-    const Problem problem = study.single(i);
-    const paths::History history = paths::followed(Contact(problem, automatic, settings), problem, request);
-    for (std::int64_t k = 0; k < study.steps; ++k) {
-      const auto at = static_cast<std::size_t>(i * study.steps + k), step = static_cast<std::size_t>(k);
-      check(one.load[at] == history.load[step] && one.contact_area[at] == history.contact_area[step], "the history's bits");
-      if (control == RC_CONTROL_AREA)
-        check_met(one.contact_area[at], study.target(i, k), problem);
-      else
-        check_near(one.load[at], study.target(i, k) * whole(problem), 1e-9 * one.load[at], "load");
-    }
-  }
 }
 
 // Loads that were tried leave no indentation: a history at the loads found leaves the same.
@@ -351,11 +291,7 @@ std::vector<Test> tests() {
     add("an_area_is_met", an_area_is_met);
     add("a_mean_pressure_is_a_load", a_mean_pressure_is_a_load);
     add("the_approach_fits_the_pressures", the_approach_fits_the_pressures);
-    add("a_history_meets_each_area", a_history_meets_each_area);
     add("a_body_that_yields_keeps_no_trace_of_other_loads", a_body_that_yields_keeps_no_trace_of_other_loads);
-    for (const std::int32_t control : {RC_CONTROL_AREA, RC_CONTROL_PRESSURE})
-      add(control == RC_CONTROL_AREA ? "a_batch_is_its_histories/area" : "a_batch_is_its_histories/pressure",
-          [control](std::int32_t on) { a_batch_is_its_histories(control, on); });
   }
   return all;
 }
