@@ -3,17 +3,13 @@ import json
 import os
 import subprocess
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
-try:
-    import numpy as np
-except ImportError:
-    print('skipped: NumPy is not installed')
-    sys.exit(77)
-
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..', 'behaviour', 'ranks'))
+for folder in ('../../behaviour/ranks', '../tools'):
+    sys.path.insert(0, str(Path(__file__).resolve().parent / folder))
+import harness
+from harness import np
 from run import ENVIRONMENT as MPI
 
 COMMAND = SERIAL = MPIEXEC = ''
@@ -38,12 +34,7 @@ def on_ranks(ranks, *arguments):
 
 
 def rough(ny=96, nx=64, seed=1):
-    """A smooth random surface, rms 0.1 um."""
-    noise = np.fft.rfft2(np.random.default_rng(seed).normal(size=(ny, nx)))
-    q = np.hypot(np.fft.fftfreq(ny)[:, None], np.fft.rfftfreq(nx)[None, :])
-    q[0, 0] = 1
-    z = np.fft.irfft2(noise * np.where(q > 0.02, q**-1.8, 0), s=(ny, nx))
-    return z * 1e-7 / z.std()
+    return harness.rough(ny, nx, seed=seed)
 
 
 def said(folder, times=False):
@@ -55,18 +46,7 @@ def said(folder, times=False):
     return summary
 
 
-class RanksTest(unittest.TestCase):
-    """Every test has an empty working folder of its own."""
-
-    def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.folder = Path(scratch.name)
-
-    def npy(self, z, name='surface.npy'):
-        np.save(self.folder / name, z)
-        return name
-
+class RanksTest(harness.CommandTest):
     def run_ranks(self, ranks, *arguments, code=0):
         done = subprocess.run(on_ranks(ranks, *arguments), cwd=self.folder, encoding='utf-8', capture_output=True, timeout=300, env=ENVIRONMENT)
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)
