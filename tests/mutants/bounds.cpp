@@ -7,6 +7,7 @@
 namespace mutants {
 
 rc::Bounds put(Figures& figures, const std::string& name, const Small& small, rc::ProvenSets* sets) {
+  if (!figures.wants(name)) return {};
   const rc::System system = small.system();
   const rc::StepSurface surface = small.surface();
   const rc::Bounds bounds =

@@ -42,6 +42,10 @@ void figures_of_capped_results(Figures& figures) {
             for (const bool masked : {false, true}) {
               if (c > 1 && small.given.boundary == RC_BOUNDARY_PERIODIC && depth > 0.5) continue;
               if (stiffness < 2 && (masked || c < 0.2 || control == RC_CONTROL_LOAD)) continue;
+              const std::string name = std::to_string(small.points()) + std::to_string(small.given.boundary) + "/" +
+                                       std::to_string(c) + "/" + std::to_string(depth) + "/" + std::to_string(stiffness) +
+                                       (control == RC_CONTROL_LOAD ? "/load" : "/approach") + (masked ? "/mask" : "");
+              if (!figures.wants("capped_result/" + name)) continue;
               small.given.hardness = c * scale;
               rc_options* options = nullptr;
               rc_options_create(nullptr, &options);
@@ -61,9 +65,6 @@ void figures_of_capped_results(Figures& figures) {
               step.target = control == RC_CONTROL_LOAD
                                 ? depth * 0.5 * std::min(c, 1.0) * scale * small.given.hx * static_cast<double>(small.points())
                                 : depth;
-              const std::string name = std::to_string(small.points()) + std::to_string(small.given.boundary) + "/" +
-                                       std::to_string(c) + "/" + std::to_string(depth) + "/" + std::to_string(stiffness) +
-                                       (control == RC_CONTROL_LOAD ? "/load" : "/approach") + (masked ? "/mask" : "");
               rc_result r{};
               r.struct_size = sizeof r;
               r.p.data = p.data();

@@ -20,6 +20,7 @@ double number_of(const std::vector<std::int64_t>& points) {
 }
 
 void put_all(Figures& figures, const std::string& name, const Small& small) {
+  if (!figures.wants("capped/" + name)) return;
   rc::ProvenSets sets;
   const rc::Bounds bounds = put(figures, "capped/" + name, small, &sets);
   figures.exact("capped", static_cast<double>(bounds.proven_capped));
@@ -195,6 +196,7 @@ void rounded_gaps(Figures& figures) {
 
 void certificates(Figures& figures) {
   const auto put_certificate = [&figures](const std::string& name, const Small& small, double scale, double hardness) {
+    if (!figures.wants("capped_certificate/" + name)) return;
     const rc::Certificate c = certify(small.surface(), small.compression, small.answer, small.survey(), scale, hardness);
     figures.section("capped_certificate/" + name);
     figures.exact("primal", c.primal);
