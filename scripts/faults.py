@@ -1,17 +1,19 @@
 #!/usr/bin/env python3
-"""Puts plausible faults into the source, one at a time, and tells which of them the tests notice.
+"""Puts plausible faults into the source, and tells which of them the tests notice.
 
 Usage: faults.py BUILD [--only TEXT] [--all] [--list]
 
-BUILD: a build folder of this tree with its tests, such as build-gcc. Each fault of scripts/faults.txt is put into its file, what its
-tests need is built, `scenes` runs and, if it notices nothing, the tests of the fault's family; a test that fails without the fault
-as well notices nothing. The file is restored at the end and after Ctrl-C; files with changes of your own are refused. --only: faults
-whose line contains the text. --all: the family's tests run even if `scenes` notices the fault. Exit status: 0 if all faults could be
+BUILD: a build folder of this tree with its tests, such as build-gcc. All faults of scripts/faults.txt are put into their files at
+once, each behind its number, and what the tests need is built once. Then RC_FAULT turns on one after the other: the first seeds of
+`scenes` run, if they notice nothing the tests of the fault's family, and then the other seeds. A test that fails without the fault as
+well notices nothing. The files are restored at the end and after Ctrl-C; files with changes of your own are refused. --only: faults
+whose lines contain the text. --all: the family's tests run even if `scenes` notices the fault. Exit status: 0 if all faults could be
 tried, and at most 3 are noticed by nothing.
 """
 
 import argparse
 import json
+import os
 import pathlib
 import re
 import subprocess
@@ -20,22 +22,36 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 LIST = ROOT / "scripts/faults.txt"
 MOST_UNNOTICED = 3
+FIRST_SEEDS, OTHER_SEEDS = "0:300", "300:2000"
+SWITCH = """#ifndef RC_FAULT_SWITCH
+#define RC_FAULT_SWITCH
+#include <stdlib.h>
+static inline int rc_fault_chosen(void) {
+  static int number = -1;
+  if (number < 0) number = getenv("RC_FAULT") ? atoi(getenv("RC_FAULT")) : 0;
+  return number;
+}
+#ifdef __cplusplus
+constexpr bool rc_fault(int number) { return !__builtin_is_constant_evaluated() && rc_fault_chosen() == number; }
+#else
+static inline int rc_fault(int number) { return rc_fault_chosen() == number; }
+#endif
+#endif
+#line 1
+"""
 
 
 def faults():
-    """(name, file, before, after, names of tests, targets beside theirs) of each fault."""
+    """(number, name, file, before, after, names of tests, targets beside theirs) of each fault."""
+    number = 0
     for block in re.split(r"\n\n+", LIST.read_text().strip()):
         lines = [line for line in block.split("\n") if not line.startswith("#")]
         if not lines:
             continue
+        number += 1
         name, file, before, after, tests, *targets = (line.partition(": ")[2].replace("\\n", "\n") for line in lines)
-        yield name, file, before, after, tests, targets[0].split() if targets else []
-
-
-def changed(file, before, after):
-    """The file's text with the fault; None if the source has changed, and the fault must be written anew."""
-    text = (ROOT / file).read_text()
-    return text.replace(before, after) if text.count(before) == 1 else None
+        after = re.sub(r"\bON\b", f"rc_fault({number})", after)
+        yield number, name, file, before, after, tests, targets[0].split() if targets else []
 
 
 def tests_of(build, pattern):
@@ -55,44 +71,31 @@ def tests_of(build, pattern):
     return names, targets
 
 
-def scenes_pass(build):
-    return subprocess.run([build / "bin/test_scenes", "--stop"], capture_output=True).returncode == 0
+def scenes_pass(build, number, seeds=FIRST_SEEDS):
+    command = [build / "bin/test_scenes", "--stop", "--seeds", seeds]
+    return subprocess.run(command, capture_output=True, env={**os.environ, "RC_FAULT": str(number)}).returncode == 0
 
 
-def noticed_by(build, pattern):
+def failing(build, number, pattern):
     """Names of the tests that fail."""
     run = subprocess.run(
-        ["ctest", "--test-dir", build, "-R", pattern, "-LE", "full", "--timeout", "600"], capture_output=True, text=True
+        ["ctest", "--test-dir", build, "-R", pattern, "-LE", "full", "--timeout", "600", "--stop-on-failure"],
+        capture_output=True,
+        text=True,
+        env={**os.environ, "RC_FAULT": str(number)},
     )
     return re.findall(r"^\s*\d+ - (\S+) \(", run.stdout, re.M)
 
 
-def judged(build, fault, everything):
-    """What notices the fault; None if it does not compile."""
-    name, file, before, after, pattern, extra = fault
-    names, targets = tests_of(build, pattern)
-    if not names:
-        sys.exit(f"{name}: no test is called {pattern}")
-    path, original = ROOT / file, (ROOT / file).read_text()
-
-    def built(wanted):
-        return subprocess.run(["cmake", "--build", build, "--target", *sorted(wanted)], capture_output=True).returncode == 0
-
-    found = []
-    path.write_text(changed(file, before, after))
-    try:
-        if not built(["test_scenes"]):
-            return None
-        by_scenes = not scenes_pass(build)
-        if everything or not by_scenes:
-            if not built([*targets, *extra]):
-                return None
-            found = noticed_by(build, pattern)
-    finally:
-        path.write_text(original)
+def noticed_by(build, fault, everything):
+    number, pattern = fault[0], fault[5]
+    by_scenes = not scenes_pass(build, number)
+    found = failing(build, number, pattern) if everything or not by_scenes else []
     if found:  # a test that fails without the fault as well notices nothing
-        built([*targets, *extra])
-        found = [each for each in found if each not in noticed_by(build, "^(" + "|".join(map(re.escape, found)) + ")$")]
+        exactly = "^(" + "|".join(map(re.escape, found)) + ")$"
+        found = [each for each in found if each not in failing(build, 0, exactly)]
+    if not found and not by_scenes:
+        by_scenes = not scenes_pass(build, number, OTHER_SEEDS)
     return ["scenes"] * by_scenes + found
 
 
@@ -103,35 +106,49 @@ def main():
     parser.add_argument("--all", action="store_true")
     parser.add_argument("--list", action="store_true")
     arguments = parser.parse_args()
-    wanted = [fault for fault in faults() if arguments.only in " ".join(fault[:4])]
-    files = sorted({fault[1] for fault in wanted})
-    stale = [fault for fault in wanted if changed(*fault[1:4]) is None]
+    wanted = [fault for fault in faults() if arguments.only in " ".join(fault[1:5])]
+    files = sorted({fault[2] for fault in wanted})
+    originals = {file: (ROOT / file).read_text() for file in files}
+    stale = [fault for fault in wanted if originals[fault[2]].count(fault[3]) != 1]
     for fault in stale:
-        print(f"{fault[0]} | {fault[1]} | the line of this fault is not there once: write it anew")
+        print(f"{fault[1]} | {fault[2]} | the line of this fault is not there once: write it anew")
     wanted = [fault for fault in wanted if fault not in stale]
     if arguments.list:
-        for name, file, *_ in wanted:
-            print(f"{name} | {file}")
+        for fault in wanted:
+            print(f"{fault[1]} | {fault[2]}")
         return 1 if stale else 0
     if dirty := subprocess.run(
         ["git", "-C", ROOT, "status", "--porcelain", *files], capture_output=True, text=True, check=True
     ).stdout:
         sys.exit(f"commit or stash these files first:\n{dirty}")
     build = arguments.build.resolve()
-    subprocess.run(["cmake", "--build", build, "--target", "test_scenes"], check=True, capture_output=True)
-    if not scenes_pass(build):
-        sys.exit("`scenes` fails without any fault")
-    unnoticed, tried = [], 0
+    targets = {"test_scenes"}
     for fault in wanted:
-        found = judged(build, fault, arguments.all)
-        if found is None:
-            print(f"{fault[0]} | {fault[1]} | does not build", flush=True)
-            continue
-        tried += 1
-        if not found:
-            unnoticed.append(fault)
-        print(f"{fault[0]} | {fault[1]} | {', '.join(found) or 'NOBODY'}", flush=True)
-    print(f"{tried} faults, {tried - len(unnoticed)} noticed")
+        names, programs = tests_of(build, fault[5])
+        if not names:
+            sys.exit(f"{fault[1]}: no test is called {fault[5]}")
+        targets |= {*programs, *fault[6]}
+    unnoticed = []
+    try:
+        for file in files:
+            text = originals[file]
+            for fault in wanted:
+                text = text.replace(fault[3], fault[4]) if fault[2] == file else text
+            (ROOT / file).write_text(SWITCH + text)
+        built = subprocess.run(["cmake", "--build", build, "--target", *sorted(targets)], capture_output=True, text=True)
+        if built.returncode != 0:
+            sys.exit(f"does not build:\n{built.stdout[-4000:]}")
+        if not scenes_pass(build, 0):
+            sys.exit("`scenes` fails without any fault")
+        for fault in wanted:
+            found = noticed_by(build, fault, arguments.all)
+            if not found:
+                unnoticed.append(fault)
+            print(f"{fault[1]} | {fault[2]} | {', '.join(found) or 'NOBODY'}", flush=True)
+    finally:
+        for file in files:
+            (ROOT / file).write_text(originals[file])
+    print(f"{len(wanted)} faults, {len(wanted) - len(unnoticed)} noticed")
     return 0 if len(unnoticed) <= MOST_UNNOTICED and not stale else 1
 
 

@@ -125,6 +125,7 @@ void no_exact_flow_lies_outside_of_a_loose_contacts_interval(void**) {
     const rc_flow_result reference = scene.leak(exact, along);
     const rc_flow_result found = scene.leak(loose, along);
     require_overlap(found, reference, "at the approach", k);
+    assert_true(found.gap_error >= loose.result.gap_error);
     open += found.lower > 0;
     closed += found.upper == 0;
     std::vector<double> perturbed = exact.p;
