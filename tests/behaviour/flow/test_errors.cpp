@@ -178,7 +178,15 @@ void memory_that_runs_out_is_a_status(void**) {
           return rc_flow_of_result(&pressed.system, nullptr, &pressed.result, &spec, &result);
         },
         forever);
-    print_message("%d, %d, %d and %d allocations\n", flows, tensors, iterated, leaks);
+    const int closings = failing_allocations(
+        [&] {
+          rc_flow_spec spec = RC_FLOW_SPEC_INIT;
+          spec.width = 0.5;
+          rc_flow_closing result = RC_FLOW_CLOSING_INIT;
+          return rc_flow_closing_pressure(&pressed.system, nullptr, &pressed.step, &spec, &result);
+        },
+        forever);
+    print_message("%d, %d, %d, %d and %d allocations\n", flows, tensors, iterated, leaks, closings);
   }
 }
 
