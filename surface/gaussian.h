@@ -1,11 +1,9 @@
-// Standard normal numbers that are bitwise equal on every machine: the generator std::mt19937_64, whose output the C++ standard
-// fixes, and Marsaglia's polar method with a portable logarithm.
+// Standard normal numbers that are bitwise equal on every machine.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
-#include <random>
 
+#include "core/normal_numbers.h"
 #include "portable_math.h"
 #include "stop.h"
 
@@ -13,33 +11,16 @@ namespace rc::surface {
 
 class Gaussian {
  public:
-  explicit Gaussian(std::uint64_t seed) : integers_(seed) {}
+  explicit Gaussian(std::uint64_t seed) : normal_(seed) {}
 
   double operator()() {
-    if (has_spare_) {
-      has_spare_ = false;
-      return spare_;
-    }
-    if ((++pairs_ & 0xffff) == 0) stop_if_asked();
-    double u = 0, v = 0, s = 0;
-    do {
-      u = 2 * uniform() - 1;
-      v = 2 * uniform() - 1;
-      s = u * u + v * v;
-    } while (s >= 1 || s == 0);
-    const double scale = std::sqrt(-2 * portable_log(s) / s);
-    spare_ = v * scale;
-    has_spare_ = true;
-    return u * scale;
+    if ((++numbers_ & 0x1ffff) == 0) stop_if_asked();
+    return normal_();
   }
 
  private:
-  double uniform() { return static_cast<double>(integers_() >> 11) * 0x1p-53; }  // [0, 1)
-
-  std::mt19937_64 integers_;
-  std::uint64_t pairs_ = 0;  // of numbers so far
-  double spare_ = 0;
-  bool has_spare_ = false;
+  NormalNumbers<portable_log> normal_;
+  std::uint64_t numbers_ = 0;  // so far
 };
 
 }  // namespace rc::surface

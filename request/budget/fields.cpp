@@ -75,25 +75,8 @@ void correlate(const Extent& grid, double length, std::span<double> z) {
   convolve(grid, along_x, along_y, true, z);
 }
 
-double Normal::operator()() {
-  if (has_spare_) {
-    has_spare_ = false;
-    return spare_;
-  }
-  double u = 0, v = 0, s = 0;
-  do {
-    u = 2 * uniform() - 1;
-    v = 2 * uniform() - 1;
-    s = u * u + v * v;
-  } while (s >= 1 || s == 0);
-  const double scale = std::sqrt(-2 * std::log(s) / s);
-  spare_ = v * scale;
-  has_spare_ = true;
-  return u * scale;
-}
-
 std::int64_t Normal::integer(std::int64_t limit) {
-  return static_cast<std::int64_t>(uniform() * static_cast<double>(2 * limit + 1)) - limit;
+  return static_cast<std::int64_t>(numbers_.uniform() * static_cast<double>(2 * limit + 1)) - limit;
 }
 
 std::vector<double> halved(const Extent& grid, std::span<const double> z, Extent& coarse) {

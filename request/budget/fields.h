@@ -1,10 +1,12 @@
 // Fields on a grid of heights: noise, filters, coarser grids, parts. NaN is a point without a height.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
-#include <random>
 #include <span>
 #include <vector>
+
+#include "core/normal_numbers.h"
 
 namespace rc::request {
 
@@ -23,20 +25,18 @@ void low_pass(const Extent& grid, double cutoff, bool wraps, std::span<double> z
 // cyclic; the identity for length 0.
 void correlate(const Extent& grid, double length, std::span<double> z);
 
-// Independent standard normal numbers, by Marsaglia's polar method.
+inline double natural_logarithm(double x) { return std::log(x); }
+
+// Independent standard normal numbers.
 class Normal {
  public:
   // Other numbers than those from which the surface library makes a surface of the same seed.
-  explicit Normal(std::uint64_t seed) : integers_(seed ^ 0x9e3779b97f4a7c15) {}
-  double operator()();
+  explicit Normal(std::uint64_t seed) : numbers_(seed ^ 0x9e3779b97f4a7c15) {}
+  double operator()() { return numbers_(); }
   std::int64_t integer(std::int64_t limit);  // uniform in -limit .. limit
 
  private:
-  double uniform() { return static_cast<double>(integers_() >> 11) * 0x1p-53; }
-
-  std::mt19937_64 integers_;
-  double spare_ = 0;
-  bool has_spare_ = false;
+  NormalNumbers<natural_logarithm> numbers_;
 };
 
 // Means over blocks of 2 x 2 points; the cells have the whole area of the grid, also of one with odd sides. A block has no height
