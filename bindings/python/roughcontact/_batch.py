@@ -91,7 +91,6 @@ def batch(
     problem = pressed(
         _constants.RC_CALL_BATCH, heights, undeformed_gap, None if of_one_surface else mask, system, given_words, leading
     )
-    time = problem.request.times if time is None or isinstance(time, str) else time
     system, gaps, masks, what = problem.system, problem.gap, problem.mask, problem.needed()
     if of_one_surface:
         masks = as_mask(mask, "mask")
@@ -102,7 +101,7 @@ def batch(
         raise ShapeError(f"{what.name} has {targets.ndim} axes: [contacts, steps], [steps] or one number")
     if targets.shape[-1] == 0:
         raise ArgumentError(f"{what.name} is empty: one value for each step is needed")
-    times = None if time is None else as_doubles(time, "time")
+    times = problem.request.times if time is None or isinstance(time, str) else as_doubles(time, "time")
     if times is not None and times.ndim == 2 and targets.ndim == 1:  # every contact has times of its own
         targets = np.broadcast_to(targets, (len(times), len(targets))).copy()
     times = times_for(system, times, targets.shape)
@@ -120,7 +119,7 @@ def batch(
     }
     if len(set(counts.values())) > 1:
         raise ShapeError(f"numbers of contacts differ: {', '.join(f'{name} {n}' for name, n in counts.items())}")
-    n, steps = max(counts.values(), default=1), targets.shape[-1]
+    n, length = max(counts.values(), default=1), targets.shape[-1]
     if starts is not None and starts.shape != (n, *system.shape):
         raise ShapeError(f"start has shape {starts.shape}; {(n, *system.shape)} is needed")
 
@@ -128,13 +127,13 @@ def batch(
     for name in ("load", "area", "stiffness"):
         asked[f"{name}_lower"] = asked[f"{name}_upper"] = intervals and (stiffness or name != "stiffness")
     always = ("load", "approach", "contact_area", "certificate")
-    out = {name: np.full((n, steps), np.nan) for name in (*always, *(name for name, wanted in asked.items() if wanted))}
-    whole = {name: np.full((n, steps), -1, np.int64) for name in ("iterations", "products")}
-    statuses = np.full((n, steps), int(Status.STOP_CANCELLED), np.int32)
+    out = {name: np.full((n, length), np.nan) for name in (*always, *(name for name, wanted in asked.items() if wanted))}
+    whole = {name: np.full((n, length), -1, np.int64) for name in ("iterations", "products")}
+    statuses = np.full((n, length), int(Status.STOP_CANCELLED), np.int32)
     pressures = np.zeros((n, *system.shape)) if keep_pressure else None
 
     struct = given(
-        rc_batch(), control=what.control, warm_start=as_switch(warm_start), virgin=as_switch(virgin), n=n, steps=steps
+        rc_batch(), control=what.control, warm_start=as_switch(warm_start), virgin=as_switch(virgin), n=n, steps=length
     )
     given(struct, targets=targets, times=times, undeformed_gap=gaps, mask=masks, p0=starts, p=pressures)
     given(struct.columns, status=statuses, **out, **whole)
@@ -168,7 +167,7 @@ def batch(
             return int(contact_library().rc_batch_solve(description, handle, struct))
 
     keep = (system, product, callbacks, targets, times, gaps, masks, starts, out, whole, statuses, pressures)
-    with bars.over("steps", n * steps) if progress else nullcontext():
+    with bars.over("steps", n * length) if progress else nullcontext():
         status, message, interrupt = interruptible(call, keep=keep)
     answer = None
     if struct.written == n:

@@ -33,13 +33,17 @@ def give_creep(system: rc_system, creep: Optional[Terms], relaxation: Optional[T
 
 def series_words(**series: Any) -> Dict[str, Any]:
     """Series of a call as words: pairs (ratio, time), or texts."""
-    found = {}
+    found: Dict[str, Any] = {}
     for name, terms in series.items():
         if terms is None:
             continue
-        found[name] = terms if isinstance(terms, str) else as_doubles(terms, name)
-        if not isinstance(terms, str) and (found[name].ndim != 2 or found[name].shape[1] != 2):
-            raise ArgumentError(f"{name} has shape {found[name].shape}; pairs are needed: [(ratio, time), ...]")
+        if isinstance(terms, str):
+            found[name] = terms
+            continue
+        pairs = as_doubles(terms, name)
+        if pairs.ndim != 2 or pairs.shape[1] != 2:
+            raise ArgumentError(f"{name} has shape {pairs.shape}; pairs are needed: [(ratio, time), ...]")
+        found[name] = pairs
     return found
 
 

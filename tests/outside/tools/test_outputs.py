@@ -13,7 +13,7 @@ import threading
 import harness
 from harness import CommandTest, np, rough
 
-INPUTS = {"--against", "--law"}  # options whose value is a file that is read
+INPUTS = {"--against", "--law", "--steps"}  # options whose value is a file that is read
 MAKE = ["--pitch", "1um", "--modulus", "1GPa", "--boundary", "periodic", "--pressure", "1kPa..1MPa", "--tolerance", "10%", "--quiet"]
 LAW = ["law", "a.law", "--quiet"]
 SHAPES = {"sphere": ["--radius", "1"], "waves": ["--period", "8"], "pyramids": ["--period", "8"]}
