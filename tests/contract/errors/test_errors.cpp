@@ -11,7 +11,6 @@
 #include <optional>
 
 #include "calls.h"
-#include "support/system.h"
 
 namespace {
 
@@ -45,7 +44,6 @@ std::vector<Row> table() {
     const bool silent = cells[1] == "RC_OK";
     Row row{section, cells[0], cells[1], {}, split(cells[silent ? 2 : 3], " "), cells.size() > 4 ? cells[4] : ""};
     if (!silent) row.says = split(cells[2], " ... ");
-    std::replace(row.says.begin(), row.says.end(), std::string("@writable_to_all"), std::string(support::writable_to_all));
     // Where addresses have 32 bits such a grid is beyond what they can count.
     if (sizeof(void*) < 8 && row.status == "RC_ERR_MEMORY") row.status = "RC_ERR_SHAPE", row.says = {"is more than"};
     rows.push_back(row);

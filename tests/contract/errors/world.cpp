@@ -171,7 +171,7 @@ World::World() : start(2) {
   PLACE(mask), PLACE(n), PLACE(ld), PLACE(max_iter), PLACE(levels), PLACE(room), PLACE(i), PLACE(written), PLACE(fails_at);
   PLACE(nan_at), PLACE(kind), PLACE(flags), PLACE(tol), PLACE(radius), PLACE(approach), PLACE(rho1), PLACE(rho2), PLACE(x);
   PLACE(along), PLACE(number), PLACE(kernel), PLACE(solver), PLACE(backend), PLACE(key), PLACE(text), PLACE(at_x), PLACE(at_y);
-  PLACE(value), PLACE(lowest), PLACE(caps);
+  PLACE(value), PLACE(lowest), PLACE(share), PLACE(caps);
 #undef PLACE
 }
 

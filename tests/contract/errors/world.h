@@ -43,9 +43,9 @@ struct Memory {
   std::int32_t kind, flags;
   double tol, radius, approach, rho1, rho2, x, along, number;
   const char *kernel, *solver, *backend, *key, *text;
-  // A kernel of deflections that decay, but for one value and the lowest eigenvalue that it promises.
+  // A kernel of deflections that decay, but for one value and what it promises.
   std::int64_t at_x, at_y;
-  double value, lowest;
+  double value, lowest, share;
   std::uint64_t caps;
 };
 

@@ -8,10 +8,9 @@
 namespace pairs {
 
 std::vector<Test> unit_tests();
-std::vector<Test> symmetry_tests();
 std::vector<Test> repetition_tests();
 std::vector<Test> sequence_tests();
-std::vector<Test> derivative_tests();
+std::vector<Test> stiffness_tests();
 std::vector<Test> stop_tests();
 std::vector<Test> single_array_tests();
 std::vector<Test> arithmetic_tests();

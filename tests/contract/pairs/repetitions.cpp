@@ -1,4 +1,4 @@
-// The same step again: on the same contact, on another one, with other numbers of threads, into a result of any contents.
+// What a result says: it is written in full whatever it held before, and its numbers add up.
 #include <cmath>
 #include <cstring>
 
@@ -16,37 +16,10 @@ Problem repeated_problem(std::int32_t boundary) {
   return problem;
 }
 
-void check_identical(const Answer& a, const Answer& b) {
-  check_same(a.p, b.p, "p");
-  check_same(a.gap, b.gap, "gap");
-  check_same({a.result.load, a.result.approach, a.result.energy, a.result.kkt_dual, a.result.kkt_complementarity},
-             {b.result.load, b.result.approach, b.result.energy, b.result.kkt_dual, b.result.kkt_complementarity}, "result");
-  check_equal(a.result.iterations, b.result.iterations, "iterations");
-  check_equal(a.result.products, b.result.products, "products");
-}
-
 template <class Check> void by_load_and_approach(std::int32_t boundary, const Pair& pair, const Check& compare) {
   const Problem problem = repeated_problem(boundary);
   compare(problem);
   compare(at_load(problem, solved(problem, pair).result.load));
-}
-
-void repeated(std::int32_t boundary, const Pair& pair) {
-  by_load_and_approach(boundary, pair, [&](const Problem& problem) {
-    const Contact contact(problem, pair);
-    const Answer first = contact.solve(problem);
-    check_status(first, RC_OK);
-    check(rc_contact_reset(contact.handle()) == RC_OK, rc_last_error());
-    check_identical(contact.solve(problem), first);
-    check_identical(solved(problem, pair), first);
-  });
-}
-
-void threaded(std::int32_t boundary, const Pair& pair) {
-  by_load_and_approach(boundary, pair, [&](const Problem& problem) {
-    const Answer one = solved(problem, pair, {{"threads", "1"}});
-    for (const char* threads : {"2", "3"}) check_identical(solved(problem, pair, {{"threads", threads}}), one);
-  });
 }
 
 // Whatever the result holds before, it is written as far as struct_size goes, and nothing beyond.
@@ -86,14 +59,6 @@ void result_is_written_in_full(std::int32_t boundary, const Pair& pair) {
   });
 }
 
-void failed_call_leaves_arrays_alone(std::int32_t boundary, const Pair& pair) {
-  const Problem problem = at_load(repeated_problem(boundary), -1);
-  const Answer answer = solve(problem, pair);
-  check_status(answer, RC_ERR_INFEASIBLE);
-  check_same(answer.p, Field(problem.points(), -7), "p");
-  check_same(answer.gap, Field(problem.points(), -7), "gap");
-}
-
 void result_adds_up(std::int32_t boundary, const Pair& pair) {
   by_load_and_approach(boundary, pair, [&](const Problem& problem) {
     const Answer answer = solved(problem, pair);
@@ -120,10 +85,7 @@ std::vector<Test> repetition_tests() {
     const auto add = [&](const char* name, void (*body)(std::int32_t, const Pair&)) {
       add_for_pairs(tests, name, boundary, [=](const Pair& pair) { body(boundary, pair); });
     };
-    add("repetition_is_equal_bit_by_bit", repeated);
-    add("number_of_threads_does_not_change_a_bit", threaded);
     add("result_is_written_in_full", result_is_written_in_full);
-    add("failed_call_leaves_p_and_gap_alone", failed_call_leaves_arrays_alone);
     add("result_adds_up", result_adds_up);
   }
   return tests;

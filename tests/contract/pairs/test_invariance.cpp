@@ -10,13 +10,9 @@ int main(int argc, char** argv) {
   const struct {
     const char* name;
     std::vector<Test> (*tests)();
-  } parts[] = {{"units", unit_tests},
-               {"symmetries", symmetry_tests},
-               {"repetitions", repetition_tests},
-               {"sequences", sequence_tests},
-               {"derivatives", derivative_tests},
-               {"stops", stop_tests},
-               {"single_arrays", single_array_tests},
+  } parts[] = {{"units", unit_tests},           {"repetitions", repetition_tests},
+               {"sequences", sequence_tests},   {"stiffness", stiffness_tests},
+               {"stops", stop_tests},           {"single_arrays", single_array_tests},
                {"arithmetic", arithmetic_tests}};
   const char* wanted = nullptr;
   if (argc > 2 && std::strcmp(argv[1], "--part") == 0) {

@@ -1,4 +1,5 @@
-// Values and promises of kernels that cannot be true: what is refused, and that nothing is written then.
+// Promises of kernels: intervals rest on them, and false ones are seen or do no harm. Values that cannot be true are refused by
+// rows of tests/contract/errors/table.txt.
 #include <random>
 
 #include "kernel_scene.h"
@@ -6,47 +7,6 @@
 namespace plugins {
 
 namespace {
-
-struct Wrong {
-  const char* message;
-  Spoilt spoilt;
-  std::int32_t boundary = RC_BOUNDARY_FREE;
-};
-
-const Wrong wrong[] = {
-    {"kernel \"decay\": the coefficient at offset (0, 0) is -1, must be positive", {0, 0, -1}},
-    {"kernel \"decay\": the coefficient at offset (0, 0) is 0, must be positive", {0, 0, 0}},
-    {"kernel \"decay\": the coefficient at offset (0, 0) is nan, must be finite", {0, 0, nan}},
-    {"kernel \"decay\": the coefficient at offset (2, 1) is inf, must be finite", {2, 1, infinity}},
-    {"kernel \"decay\": the coefficient at offset (3, 0) is 1.5, beyond that at (0, 0), 1: H is not positive definite",
-     {3, 0, 1.5}},
-    {"kernel \"decay\": the coefficient at offset (0, 3) is -0.1, although none is promised to be negative", {0, 3, -0.1}},
-    {"kernel \"decay\": the coefficient at offset (5, 8) is nan, must be finite", {5, 8, nan}},
-    {"kernel \"decay\": H is not positive definite: x'Hx / x'x is -", {1, 0, 0.999}},
-    {"kernel \"decay\": an eigenvalue is at most ", {-1, -1, 0, 1, 0.6}},
-    {", although none is promised to be below 0.6", {-1, -1, 0, 1, 0.6}},
-    {"times that of galerkin, although at least 3 is promised", {-1, -1, 0, 1, 0, 3}},
-    {"kernel \"decay\": a promised bound is nan, must be finite and >= 0", {-1, -1, 0, 1, nan}},
-    {"kernel \"decay\": a promised bound is -1, must be finite and >= 0", {-1, -1, 0, 1, 0, -1}},
-    {"kernel \"decay\": the symbol at wave numbers (3, 2) is -0.1, must be >= 0 and finite", {3, 2, -0.1}, RC_BOUNDARY_PERIODIC},
-    {"kernel \"decay\": the symbol at wave numbers (6, 6) is nan, must be >= 0 and finite", {6, 6, nan}, RC_BOUNDARY_PERIODIC},
-    {"0.013698630137, although none is promised to be below 0.1", {-1, -1, 0, 1, 0.1}, RC_BOUNDARY_PERIODIC},
-};
-
-void what_cannot_be_true_is_refused(void**) {
-  for (const char* backend : {"auto", "dense", "fft"})
-    for (const Wrong& each : wrong) {
-      const Registry registry("");
-      Spoilt spoilt = each.spoilt;
-      const rc_kernel kernel = decay(spoilt);
-      assert_int_equal(add(registry, kernel), RC_OK);
-      Pressed pressed(registry, {{RC_OPT_KERNEL, "decay"}, {RC_OPT_BACKEND, backend}}, each.boundary);
-      if (pressed.status == RC_ERR_NO_BACKEND) continue;  // not built
-      if (pressed.status != RC_ERR_NUMERIC) fail_msg("%s on %s: %d %s", each.message, backend, pressed.status, rc_last_error());
-      assert_message_has(each.message);
-      assert_true(pressed.untouched());
-    }
-}
 
 rc_status unwilling(const rc_host* host, const rc_kernel_spec*, double*) {
   return host->fail(host, RC_ERR_EXTERNAL, "decay: no wave here");
@@ -135,7 +95,6 @@ void false_promises_are_seen_or_do_no_harm(void**) {
 }  // namespace
 
 const std::vector<CMUnitTest> promise_tests = {
-    cmocka_unit_test(what_cannot_be_true_is_refused),
     cmocka_unit_test(failures_are_passed_on),
     cmocka_unit_test(what_is_left_out_is_seen),
     cmocka_unit_test(intervals_rest_on_what_is_promised),

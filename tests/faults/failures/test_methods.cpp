@@ -1,4 +1,4 @@
-// Conjugate gradients, pivoting, gradient projection and multipliers: tolerances, starts, units, ties, warm-ups, penalties.
+// Conjugate gradients, pivoting, gradient projection and multipliers: tolerances, units, warm-ups, penalties.
 #include <algorithm>
 
 #include "atlas.h"
@@ -56,36 +56,6 @@ void exact_start_costs_two_products() {
   check_near(again.p, cold.p, 1e-9, "p");
 }
 
-void no_approach_is_no_contact() {
-  Problem problem = rough(5);
-  problem.target = 0;
-  for (const std::string& solver : solvers_on("dense", problem)) {
-    const Answer answer = with(problem, solver, {});
-    check_status(answer, RC_OK, solver);
-    check_equal(answer.result.contacts, 0, solver + ": contacts");
-  }
-}
-
-// From pressures of another contact set, far too heavy, far too light, tensile, or nowhere.
-void bad_starts_do_not_change_the_answer() {
-  const Problem problem = rough(5);
-  const Answer truth = truth_of(problem);
-  Problem deep = problem;
-  deep.target *= 8;
-  const Field heavy = truth_of(deep).p;
-  Field tensile = heavy, tiny = heavy, opposite = truth.p;
-  for (double& value : tensile) value = -value;
-  for (std::size_t i = 0; i < tensile.size(); i += 2) tensile[i] = 1e3;
-  for (double& value : tiny) value *= 1e-12;
-  for (double& value : opposite) value = value > 0 ? 0 : 1e6;
-  for (const std::string& solver : solvers_on("dense", problem))
-    for (const Field& start : {heavy, tensile, tiny, opposite}) {
-      const Answer answer = from(problem, solver, start);
-      check_status(answer, RC_OK, solver);
-      check_near(answer.p, truth.p, 1e-6, solver);
-    }
-}
-
 // Printed tolerances are absolute: lengths of 1e-9 would pass for zero. Neither work nor answers depend on units.
 void units_change_nothing() {
   const Scene scene = rough_scene(5, 1);
@@ -103,23 +73,6 @@ void units_change_nothing() {
         check_near(changed.p, plain.p, 1e-9, solver);
       }
   }
-}
-
-void ties_leave_the_pressures_alone() {
-  const Problem problem = problem_of(tied_scene(full() ? 16 : 8));
-  const Answer truth = truth_of(problem);
-  std::vector<std::int64_t> contacts;
-  for (const std::string& solver : solvers_on("dense", problem)) {
-    const Answer answer = with(problem, solver, {});
-    check_status(answer, RC_OK, solver);
-    check_near(answer.p, truth.p, 1e-7, solver);
-    contacts.push_back(answer.result.contacts);
-  }
-  const Answer single = with(problem, "nnls", {{"nnls.pivoting", "single"}});
-  check_status(single, RC_OK, "single pivots");
-  check_near(single.p, truth.p, 1e-9, "single pivots");
-  const auto [fewest, most] = std::minmax_element(contacts.begin(), contacts.end());
-  report("contacts counted: " + std::to_string(*fewest) + " to " + std::to_string(*most));
 }
 
 // Solves of nnls after `steps` iterations of gp; gp may be done earlier.
@@ -196,10 +149,7 @@ int main(int argc, char** argv) {
       {"unattainable_tolerance_ends_with_a_status", unattainable_tolerance_ends_with_a_status},
       {"polonsky_keer_claims_no_more_than_it_reached", polonsky_keer_claims_no_more_than_it_reached},
       {"exact_start_costs_two_products", exact_start_costs_two_products},
-      {"no_approach_is_no_contact", no_approach_is_no_contact},
-      {"bad_starts_do_not_change_the_answer", bad_starts_do_not_change_the_answer},
       {"units_change_nothing", units_change_nothing},
-      {"ties_leave_the_pressures_alone", ties_leave_the_pressures_alone},
       {"short_warm_up_costs_single_pivots_dear", short_warm_up_costs_single_pivots_dear},
       {"penalty_of_any_size_is_never_wrong", penalty_of_any_size_is_never_wrong},
       {"restart_saves_most_iterations_of_gradient_projection", restart_saves_most_iterations_of_gradient_projection},

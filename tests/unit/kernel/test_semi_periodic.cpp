@@ -1,4 +1,4 @@
-// Coefficients of grids that repeat along one axis: against sums of images, and waves.
+// Coefficients of grids that repeat along one axis: waves, windows, axes, signs. Sums of images: tests/scenes/influence.cpp.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -11,7 +11,6 @@
 
 namespace {
 
-using rc::kernel::Strip;
 using Vector = std::vector<double>;
 constexpr double pi = std::numbers::pi;
 
@@ -39,44 +38,6 @@ Vector table(const rc::kernel::Kernel& kernel, const rc_system& system) {
   Vector values(static_cast<std::size_t>(system.nx * system.ny));
   rc::kernel::semi_periodic_coefficients(kernel, system, {0, 0, system.nx, system.ny}, values.data());
   return values;
-}
-
-double at(const rc_system& s, std::int64_t ix, std::int64_t iy) {
-  double value;
-  rc::kernel::window_coefficients(love(), s.hx, s.hy, {std::abs(ix), iy, 1, 1}, &value);
-  return value;
-}
-
-// M images on either side one by one, those beyond as an integral, to the second order in 1/M.
-double images(const rc_system& s, std::int64_t ix, std::int64_t iy) {
-  const auto M = std::max<std::int64_t>(
-      100, static_cast<std::int64_t>(100 * static_cast<double>(s.ny) * s.hy / (static_cast<double>(s.nx) * s.hx)));
-  const Strip strip = rc::kernel::strip_of(s);
-  const double L = strip.period(), x = static_cast<double>(ix) * s.hx, y = static_cast<double>(iy) * s.hy;
-  double sum = 0;
-  for (std::int64_t m = M; m > 0; --m) sum += at(s, ix + m * s.nx, iy) + at(s, ix - m * s.nx, iy);
-  sum += at(s, ix, iy);
-  double beyond = 2 / L * std::log(strip.datum());
-  for (const double from : {(static_cast<double>(M) + 0.5) * L + x, (static_cast<double>(M) + 0.5) * L - x}) {
-    const double r = std::hypot(from, y);
-    beyond -= std::log(from + r) / L + L * from / (24 * r * r * r);          // the sum by its integral
-    beyond += (2 * s.hx * s.hx - s.hy * s.hy) / (24 * L * 2 * from * from);  // the mean over the cell
-  }
-  return sum + s.hx * s.hy / pi * beyond;
-}
-
-void coefficients_are_sums_of_images(void**) {
-  for (const Size& size : sizes) {
-    const rc_system s = grid(size);
-    const Vector values = table(love(), s);
-    for (std::int64_t iy = 0; iy < s.ny; iy += 1 + s.ny / 7)
-      for (std::int64_t ix = 0; ix <= s.nx / 2; ix += 1 + s.nx / 9) {
-        const double value = values[static_cast<std::size_t>(iy * s.nx + ix)], expected = images(s, ix, iy);
-        if (std::abs(value - expected) > 1e-10 * values[0])
-          fail_msg("%dx%d cells %g x %g at (%d, %d): %.15g instead of %.15g", static_cast<int>(s.nx), static_cast<int>(s.ny),
-                   s.hx, s.hy, static_cast<int>(ix), static_cast<int>(iy), value, expected);
-      }
-  }
 }
 
 // Along x it is the wave's amplitude, across it the integral over all waves: 2/|q|.
@@ -123,7 +84,6 @@ void coefficients_of_love_are_positive(void**) {
 
 int main() {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(coefficients_are_sums_of_images),
       cmocka_unit_test(spectral_deflects_waves_exactly),
       cmocka_unit_test(windows_and_axes_change_no_bit),
       cmocka_unit_test(coefficients_of_love_are_positive),

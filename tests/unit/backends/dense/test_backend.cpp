@@ -74,44 +74,6 @@ void assert_agrees(stand_in::Operator& op, const MatrixXd& H, const Indices& T) 
   assert_solved(H, a, b, x);
 }
 
-void description_is_complete(void**) {
-  const rc_backend& backend = stand_in::backend();
-  assert_string_equal(backend.name, "dense");
-  assert_string_equal(backend.license, "BSD-3-Clause AND MPL-2.0");
-  assert_int_equal(backend.caps, RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_SEMI_PERIODIC | RC_CAP_DENSE_INPUT | RC_CAP_SUBSET |
-                                     RC_CAP_THREAD_INVARIANT | RC_CAP_SHIFTED | RC_CAP_NORM);
-  assert_non_null(backend.subset);
-  assert_int_equal(backend.n_options, 1);
-  assert_string_equal(backend.options[0]->name, "dense.memory_limit");
-}
-
-void half_space_agrees_with_its_matrix(void**) {
-  for (const auto& [nx, ny] : {std::pair{24, 17}, {1, 40}, {300, 1}, {1, 1}}) {
-    stand_in::Operator op(stand_in::half_space(nx, ny));
-    const MatrixXd H = op.matrix();
-    assert_int_equal(op.bind_all(), RC_OK);
-    assert_agrees(op, H, range(nx * ny));
-    const Indices some = picked(nx * ny, static_cast<std::size_t>(nx * ny + 2) / 3, 4);
-    assert_int_equal(op.bind(some), RC_OK);
-    assert_agrees(op, H, some);
-  }
-}
-
-void periodic_half_space_has_the_zero_mode(void**) {
-  stand_in::Operator op(stand_in::half_space(12, 7, RC_BOUNDARY_PERIODIC));
-  for (const double zero_mode : {2.5, 0.5}) {
-    const MatrixXd H = op.matrix(zero_mode);
-    assert_int_equal(op.bind_all(zero_mode), RC_OK);
-    assert_agrees(op, H, range(84));
-    VectorXd y;
-    assert_int_equal(op.apply(VectorXd::Ones(84), y), RC_OK);
-    assert_close(y, VectorXd::Constant(84, zero_mode), 1e-12);
-    const Indices some = picked(84, 30, 5);
-    assert_int_equal(op.bind(some, zero_mode), RC_OK);
-    assert_agrees(op, H, some);
-  }
-}
-
 void callers_matrix_with_a_row_stride(void**) {
   constexpr Index n = 60, ld = 67;
   MatrixXd storage = MatrixXd::Constant(ld, n, std::nan(""));
@@ -177,42 +139,6 @@ void binding_the_same_domain_keeps_the_matrix(void**) {
   op.bind({0, 1});
   assert_int_equal(op.apply(VectorXd::Ones(2), y), RC_OK);
   assert_true(y(0) == 0.25);
-}
-
-// Long enough for every way to change the factor, a rebuild of a worn one included.
-void sequences_of_sets_are_solved(void**) {
-  stand_in::Operator op(stand_in::half_space(20, 15));
-  const MatrixXd H = op.matrix();
-  op.bind_all();
-  std::mt19937 engine(8);
-  std::vector<bool> in(300, false);
-  for (int step = 0; step < 500; ++step) {
-    const unsigned changes = step % 50 == 0 ? 150 : 1 + engine() % 12;
-    for (unsigned k = 0; k < changes; ++k) {
-      const std::size_t i = engine() % in.size();
-      in[i] = !in[i];
-    }
-    Indices a;
-    for (std::int64_t i = 0; i < 300; ++i)
-      if (in[static_cast<std::size_t>(i)]) a.push_back(i);
-    const VectorXd b = random_vector(static_cast<Index>(a.size()), static_cast<unsigned>(step));
-    VectorXd x;
-    assert_int_equal(op.subset(a, b, x), RC_OK);
-    if (!a.empty()) assert_solved(H, a, b, x);
-  }
-}
-
-void results_do_not_depend_on_what_was_asked_before_in_another_operator(void**) {
-  VectorXd x[2], y[2];
-  for (int repeat = 0; repeat < 2; ++repeat) {
-    stand_in::Operator op(stand_in::half_space(40, 30));
-    op.bind_all();
-    assert_int_equal(op.subset(picked(1200, 300, 9), VectorXd::Ones(300), x[repeat]), RC_OK);
-    assert_int_equal(op.subset(picked(1200, 280, 9), VectorXd::Ones(280), x[repeat]), RC_OK);
-    assert_int_equal(op.apply(random_vector(1200, 10), y[repeat]), RC_OK);
-  }
-  assert_true(x[0] == x[1]);
-  assert_true(y[0] == y[1]);
 }
 
 void memory_limit_is_kept_and_explained(void**) {
@@ -332,26 +258,14 @@ void failures_of_the_host_pass_through(void**) {
   assert_int_equal(op.apply(VectorXd::Ones(25), y), RC_OK);
 }
 
-void a_callers_product_is_refused(void**) {
-  rc_system system = stand_in::half_space(5, 5);
-  system.op = RC_OPERATOR_CALLBACK;
-  assert_int_equal(stand_in::Operator(system).created(), RC_ERR_INCOMPATIBLE);
-  assert_message_has("dense: ");
-}
-
 }  // namespace
 
 int main() {
   const CMUnitTest tests[] = {
-      cmocka_unit_test(description_is_complete),
-      cmocka_unit_test(half_space_agrees_with_its_matrix),
-      cmocka_unit_test(periodic_half_space_has_the_zero_mode),
       cmocka_unit_test(callers_matrix_with_a_row_stride),
       cmocka_unit_test(coefficients_are_fetched_late_and_for_the_bounding_box),
       cmocka_unit_test(a_change_of_domain_keeps_the_factor_of_the_same_points),
       cmocka_unit_test(binding_the_same_domain_keeps_the_matrix),
-      cmocka_unit_test(sequences_of_sets_are_solved),
-      cmocka_unit_test(results_do_not_depend_on_what_was_asked_before_in_another_operator),
       cmocka_unit_test(memory_limit_is_kept_and_explained),
       cmocka_unit_test(memory_limit_with_a_callers_matrix),
       cmocka_unit_test(results_are_the_same_without_room_for_everything),
@@ -360,7 +274,6 @@ int main() {
       cmocka_unit_test(indefinite_matrix_is_reported_and_the_factor_dropped),
       cmocka_unit_test(periodic_grid_without_zero_mode_is_singular_as_a_whole),
       cmocka_unit_test(failures_of_the_host_pass_through),
-      cmocka_unit_test(a_callers_product_is_refused),
   };
   return cmocka_run_group_tests_name("dense_backend", tests, nullptr, nullptr);
 }

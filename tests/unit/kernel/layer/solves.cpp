@@ -1,8 +1,7 @@
-// Contacts of layered half-spaces: every pair, intervals, an accuracy goal, known loads, units, and the number of products.
+// Contacts of layered half-spaces: every pair, intervals, an accuracy goal, known loads, and the number of products.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
 #include <numbers>
 #include <random>
 
@@ -145,14 +144,6 @@ void every_pair_agrees(void**) {
     }
 }
 
-void split_is_passed_over(void**) {
-  const Context context;
-  const rc_result found = context.solve(sphere(8, 20), with(settings_of({1, 2}), {{RC_OPT_BACKEND, "split"}}), 0.4);
-  if (found.status == RC_ERR_NO_BACKEND) skip();
-  assert_int_equal(found.status, RC_ERR_INCOMPATIBLE);
-  assert_non_null(std::strstr(rc_last_error(), "backend \"split\" cannot do kernel \"layer\""));
-}
-
 // Hertz: P = 4/3 E* sqrt(R) delta^1.5.
 void spheres_feel_the_layer_or_what_is_below(void**) {
   const Context context;
@@ -209,23 +200,6 @@ void a_flat_punch_is_as_stiff_as_published(void**) {
       return 1 - (1 - nu) * plain / stiffness({thickness, (1 - nu) / (1 - layer), layer, nu});
     };
     assert_near((poisson(nu + little) - poisson(nu - little)) / (2 * little), gao_poisson_share(xi), 5e-3, "I1");
-  }
-}
-
-void units_do_not_matter(void**) {
-  const Context context;
-  const Layer layer{2, 3};
-  for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC}) {
-    Surface surface = sphere(20, 60, boundary);
-    const rc_result one = context.solve(surface, settings_of(layer), 0.5);
-    const double cell = 1e-6, modulus = 7e10;
-    for (double& each : surface.gap) each *= cell;
-    surface.cell = cell;
-    surface.modulus = modulus;
-    const rc_result other = context.solve(surface, settings_of({layer.thickness * cell, layer.modulus * modulus}), 0.5 * cell);
-    assert_int_equal(one.status, RC_OK);
-    assert_int_equal(other.status, RC_OK);
-    assert_near(other.load / (modulus * cell * cell), one.load, 1e-7, "other units");
   }
 }
 
@@ -305,11 +279,9 @@ void a_thick_layer_takes_the_products_of_a_half_space(void**) {
 
 const std::vector<CMUnitTest> solve_tests = {
     cmocka_unit_test(every_pair_agrees),
-    cmocka_unit_test(split_is_passed_over),
     cmocka_unit_test(spheres_feel_the_layer_or_what_is_below),
     cmocka_unit_test(a_thin_layer_on_a_rigid_base_carries_like_springs),
     cmocka_unit_test(a_flat_punch_is_as_stiff_as_published),
-    cmocka_unit_test(units_do_not_matter),
     cmocka_unit_test(an_accuracy_goal_is_kept),
     cmocka_unit_test(products_are_hardly_more_than_on_a_half_space),
     cmocka_unit_test(a_thick_layer_takes_the_products_of_a_half_space),

@@ -2,19 +2,14 @@
 #include <roughcontact/plugin.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <random>
+#include <cstring>
 #include <string>
 
 #include "calls.h"
-#include "support/system.h"
 
 namespace errors {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 ContextHandle new_context(std::uint32_t flags = 0, const char* plugin_path = nullptr) {
   rc_context* context = nullptr;
@@ -27,20 +22,6 @@ rc_status create_in(const char* plugin_path, std::uint32_t flags, const char* ba
   World world;
   world.set(std::string("options.backend=") + backend);
   return create(world.scene, world.options_of(context.get()).get());
-}
-
-// A directory with one file, rcb_spoilt, that is not a plugin.
-Outcome plugin_file(bool open_directory, bool open_file) {
-  static std::random_device number;
-  const fs::path directory = fs::current_path() / ("errors-" + std::to_string(number()));
-  const fs::path path = directory / "rcb_spoilt" RC_PLUGIN_SUFFIX;
-  fs::create_directory(directory);
-  std::ofstream(path) << "not a shared object";
-  (open_file ? support::let_everybody_write : support::let_owner_alone_write)(path.string());
-  (open_directory ? support::let_everybody_write : support::let_owner_alone_write)(directory.string());
-  const Outcome outcome = create_in(directory.string().c_str(), RC_CONTEXT_NO_ENVIRONMENT, "spoilt");
-  fs::remove_all(directory);
-  return outcome;
 }
 
 // A kernel of deflections that decay with distance, one value of which is spoilt.
@@ -63,12 +44,13 @@ rc_status decay_symbol(const rc_host*, const rc_kernel_spec* spec, double* out) 
   return RC_OK;
 }
 
-rc_status decay_bounds(const rc_host*, const rc_kernel_spec* spec, double* lowest, double*) {
+rc_status decay_bounds(const rc_host*, const rc_kernel_spec* spec, double* lowest, double* share) {
   *lowest = of(spec).lowest;
+  *share = of(spec).share;
   return RC_OK;
 }
 
-// Registers a kernel "mine", and solves with it.
+// Registers a kernel "mine", and solves with it: on one backend, or on all that look at the whole table.
 Outcome solve_with_kernel(World& w) {
   const rc_kernel kernel = {.struct_size = sizeof(rc_kernel),
                             .name = "mine",
@@ -86,7 +68,17 @@ Outcome solve_with_kernel(World& w) {
   const ContextHandle context = new_context();
   if (const rc_status status = rc_context_register(context.get(), &plugin); status != RC_OK) return status;
   w.set("options.kernel=mine");
-  return solve(w.scene, w.options_of(context.get()).get());
+  const OptionsHandle options = w.options_of(context.get());
+  const auto with = [&](const char* backend) {
+    assert_int_equal(rc_options_set_text(options.get(), RC_OPT_BACKEND, backend), RC_OK);
+    return Outcome(solve(w.scene, options.get()));
+  };
+  if (std::strcmp(w.memory.backend, "callback") != 0) return with(w.memory.backend);
+  for (const char* backend : {"dense", "fft"}) {
+    const rc_status status = with(backend).status;
+    assert_true(status == RC_ERR_NUMERIC || status == RC_ERR_NO_BACKEND);
+  }
+  return with("auto");
 }
 
 }  // namespace
@@ -95,9 +87,6 @@ Calls plugin_calls() {
   return {
       {"create_in",
        [](World& w) { return create_in(w.memory.text, static_cast<std::uint32_t>(w.memory.flags), w.memory.backend); }},
-      {"writable_file", [](World&) { return plugin_file(false, true); }},
-      {"writable_folder", [](World&) { return plugin_file(true, false); }},
-      {"no_shared_object", [](World&) { return plugin_file(false, false); }},
       {"register", [](World& w) { return rc_context_register(new_context().get(), &w.memory.plugin); }},
       {"solve_with_kernel", solve_with_kernel},
   };
