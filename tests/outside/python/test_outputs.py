@@ -121,6 +121,7 @@ def test_names_that_are_not_text(doors, tmp_path, rough_surface):
     for folders in (str(tmp_path / ODD), tmp_path / ODD, os.fsencode(tmp_path / ODD), [str(tmp_path / ODD), tmp_path]):
         rc.Context(folders)
     refused(rc.ArgumentError, "NUL", rc.Law.load, "a\0b")
+    assert _paths.shown(ODD) == "m\ufffdll \ufffd'"
 
 
 @pytest.mark.parametrize("offset", [0.0, 1e-3, 1.0, -6371e3])

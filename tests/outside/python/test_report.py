@@ -204,6 +204,30 @@ def test_the_page_follows_the_dark():
     assert found == []  # every colour is in the two sets
 
 
+def test_a_goal_for_the_accuracy(tmp_path):
+    np.save(
+        tmp_path / "smooth.npy",
+        rc.surface.spectral((256, 256), pitch=1e-6, rms_height=1e-7, hurst=1, q_high=2 * np.pi / 32e-6).heights,
+    )
+    goal = [
+        str(tmp_path / "smooth.npy"),
+        "--pitch",
+        "1um",
+        *STEEL,
+        "--boundary",
+        "periodic",
+        "--pressure",
+        "50MPa,100MPa",
+        "--set",
+        "accuracy=0.2",
+    ]
+    content = of(goal)
+    assert content.certified and [step.status for step in content.steps] == 2 * [rc.Status.WITHIN_GOAL]
+    assert "2 were solved on a coarser grid" in wording.certificate(content)
+    assert "Contact area" in wording.conclusion(content) and "Not certified" not in wording.conclusion(content)
+    assert all("points solved" in row[-2] for row in wording.proof_rows(content))
+
+
 def test_missing_points_and_a_plane(tmp_path, rough):
     z = rough.heights + 1e-6 * np.arange(64) / 64
     z[3, 4] = np.nan
