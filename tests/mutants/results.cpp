@@ -93,6 +93,7 @@ void spoil(rc_result& r) {
   r.seconds = r.setup_seconds = -5;
   r.levels = -5;
   r.homogeneous = 5;
+  r.left_out = -5;
   r.points = -5;
   r.load_lower = r.load_upper = r.duality_gap = r.gap_error = r.area_lower = r.area_upper = -5;
   r.proven_contacts = r.proven_open = r.undecided = -5;
