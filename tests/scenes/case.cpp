@@ -184,7 +184,8 @@ Real product_noise(const Case& c, const Surface& surface, const StepAnswer& answ
     if (surface.included(i)) highest = std::max(highest, std::abs(static_cast<Real>(surface.gap[i])));
     if (!answer.indentation.empty()) highest = std::max(highest, static_cast<Real>(answer.indentation[i]));
   }
-  return double_product * c.h().largest_row() * most + 2e-15L * highest;
+  const Real relative = c.pair().backend == "split" ? split_product : double_product;
+  return relative * c.h().largest_row() * most + 2e-15L * highest;
 }
 
 }  // namespace scenes

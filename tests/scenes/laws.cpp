@@ -91,7 +91,6 @@ class AsLaw final : public Property {
     need(info_.width <= tolerance_ || status_ != RC_OK, "the law is wider than asked for");
     for (std::size_t k = 0; k < truths_.size(); ++k) judge(truths_[k], said_[k], c);
     judge_curve();
-    judge_kinks(c);
     for (std::size_t k = 0; k < loaded_.size(); ++k) {
       const auto same = [](double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b)); };
       const rc_law_point &a = said_[k], &b = loaded_[k];
@@ -254,23 +253,6 @@ class AsLaw final : public Property {
         fails("the pressure leaves its own bounds");
       if (std::abs(at.p_back - at.p) > 16 * eps * at.p + 8 * eps * at.slope * at.back) fails("the inverse has another pressure");
       before = at;
-    }
-  }
-
-  // Between proven intervals the slope jumps only where that of the exact curve does, with the approach as overclosure.
-  void judge_kinks(const Case& c) const {
-    if (mean_) return;
-    rc_law_point before = RC_LAW_POINT_INIT;
-    for (std::int64_t i = 1; i + 1 < info_.nodes; ++i) {
-      rc_law_point node = RC_LAW_POINT_INIT;
-      pairs::check(rc_law_describe_node(law_.get(), i, &node) == RC_OK, rc_last_error());
-      const bool proven = node.bounds == RC_LAW_CONVEX && before.bounds == RC_LAW_CONVEX && i > 1;
-      before = node;
-      if (!proven) continue;
-      const double left = evaluated(law_.get(), std::nextafter(node.x, 0)).slope, right = evaluated(law_.get(), node.x).slope;
-      if (std::abs(right / left - 1) < 1e-6) continue;
-      const auto more = truth_at(c, node.x * (1 + 1e-8)), less = truth_at(c, node.x * (1 - 1e-8));
-      need(!more || !less || more->slope > less->slope * (1 + 1e-9L), "the slope jumps at " + number(node.x));
     }
   }
 

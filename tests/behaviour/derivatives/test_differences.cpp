@@ -19,6 +19,34 @@ Field normals(std::size_t n, std::mt19937& generator) {
   return values;
 }
 
+// The bounds of the errors that solves leave hold against solves to round-off.
+void errors_are_bounded() {
+  double widest = 0;
+  for (unsigned seed = 0; seed < 24; ++seed) {
+    const std::string name = "seed " + std::to_string(seed);
+    std::mt19937 generator(seed);
+    Problem problem = rough_problem(9 + seed % 5, 8 + seed % 7, seed % 2 ? RC_BOUNDARY_PERIODIC : RC_BOUNDARY_FREE, 0.5, 0.75);
+    for (double& gap : problem.gap) gap += 1e-6 * static_cast<double>(generator() % 100000);
+    if (seed % 4 > 1) problem = at_load(problem, solved(problem, automatic).result.load);
+    const std::size_t n = problem.points();
+    const Contact loose(problem, {"haar-cg", "fft"}, {{RC_OPT_TOL, "1e-5"}}), exact(problem, {"nnls", "dense"});
+    const Answer a = loose.solve(problem), b = exact.solve(problem);
+    check_status(a, RC_OK, name);
+    bool same = true;
+    for (std::size_t i = 0; i < n; ++i) same = same && (a.p[i] > 0) == (b.p[i] > 0);
+    if (!same) continue;
+    const Cotangents by{normals(n, generator), normals(n, generator), 0.3, -0.2};
+    const Gradient found = gradient(loose, n, by), right = gradient(exact, n, by);
+    const Tangent forward = tangent(loose, n, {by.gap, 0.7, 0}), known = tangent(exact, n, {by.gap, 0.7, 0});
+    Field reverse_off = found.by_gap, forward_off = forward.p;
+    for (std::size_t i = 0; i < n; ++i) reverse_off[i] -= right.by_gap[i], forward_off[i] -= known.p[i];
+    check(norm(reverse_off) <= found.result.error + right.result.error + 1e-11 * norm(right.by_gap), name + ": gradient");
+    check(norm(forward_off) <= forward.result.error + known.result.error + 1e-11 * norm(known.p), name + ": tangent");
+    widest = std::max(widest, found.result.error / norm(right.by_gap));
+  }
+  check(widest > 1e-6 && widest < 0.1, "the largest bound is " + text(widest) + " of its gradient");
+}
+
 // The gradients of load and approach are those that their cotangents give, and take one solve.
 void load_and_approach_by_default() {
   for (const int kind : {0, 1, 2, 3}) {
@@ -139,7 +167,8 @@ void a_stopped_gradient_writes_nothing() {
 int main(int argc, char** argv) {
   using namespace pairs;
   return run_group("derivatives.differences",
-                   {{"load_and_approach_by_default", load_and_approach_by_default},
+                   {{"errors_are_bounded", errors_are_bounded},
+                    {"load_and_approach_by_default", load_and_approach_by_default},
                     {"full_periodic_contact", full_periodic_contact},
                     {"no_contact", no_contact},
                     {"the_same_bits_for_any_number_of_threads", the_same_bits_for_any_number_of_threads},
