@@ -1,5 +1,5 @@
-// Independent standard normal numbers from the generator std::mt19937_64, whose output the C++ standard fixes, by Marsaglia's polar
-// method. `logarithm` decides whether they have the same bits on every machine.
+// Independent standard normal numbers from the generator std::mt19937_64, whose output the C++ standard fixes, by Marsaglia's
+// polar method. `logarithm` decides whether they have the same bits on every machine.
 #pragma once
 
 #include <cmath>
