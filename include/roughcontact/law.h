@@ -17,7 +17,7 @@
  * Assumption of RC_LAW_CONVEX and _SLOPES: contact sets, and sets of points at the hardness, grow with the approach. The library
  * checks it at the nodes. It also holds between them if the inverse of H has no positive entry off its diagonal and no negative
  * sum of a row. The library computes this for a matrix (RC_OPERATOR_DENSE), whose intervals are RC_LAW_MONOTONE without it; it
- * is true of the kernel love, not of galerkin and spectral; between the nodes of these and other kernels nesting is assumed.
+ * was found for the kernel love on single grids, and is not true of galerkin and spectral. For kernels nesting is assumed.
  *
  * Between the nodes p is a quadratic spline with one knot in each interval. It has the nodes' values, rises, and is inside the
  * bounds at every overclosure, to round-off. It is C1, with three exceptions, where its slope jumps:

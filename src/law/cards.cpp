@@ -180,7 +180,7 @@ std::string friction_card(const Law& law, const Units& units, const rc_law_expor
 }
 
 std::string pressure_cards(const Law& law, const std::vector<LawRow>& rows, const Units& units, const rc_law_export_spec& spec) {
-  const char* const proof = law.info.bounds == RC_LAW_MONOTONE ? "estimated" : "proven if the kernel is love";
+  const char* const proof = law.info.bounds == RC_LAW_MONOTONE ? "estimated" : "contact sets assumed to be nested";
   std::string text =
       join("** roughcontact: ", rows.size(), " rows; straight lines between them are within ", in_digits(spec.error, 2),
            " of the law\n** from the second row on, below it the table is a line from the ",

@@ -27,7 +27,7 @@ std::string bounds_name(int32_t bounds) {
 // The width of the bounds, and why they hold.
 std::string proof_of(const rc_law_info& info) {
   const std::string width = "p within " + percent(info.width);
-  const std::string nested = " between nodes, whose contact sets are nested: proven if the kernel is love";
+  const std::string nested = " between nodes, whose contact sets are assumed to be nested";
   if (info.bounds == RC_LAW_CONVEX) return width + ", convex" + nested;
   if (info.bounds == RC_LAW_SLOPES) return width + ", by slopes" + nested;
   return width + " where it is proven; p only rises between some nodes";
