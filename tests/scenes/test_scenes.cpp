@@ -77,7 +77,7 @@ class Driver {
                     as_printed(asked));
         well = false;
       }
-      if (t.noticed * 20 < t.spoilt * 19 || t.spoilt == 0) {
+      if (t.noticed * 20 < t.spoilt * 19 || (t.spoilt == 0 && t.asked >= 100)) {
         std::printf("  notices too few of the spoilt answers: 95 in 100 are wanted\n");
         well = false;
       }
