@@ -293,8 +293,8 @@ typedef struct rc_coarse {
 typedef struct rc_kept_steps rc_kept_steps;
 struct rc_kept_steps {
   size_t struct_size;
-  /* The objects that this solver kept of the last step and of the step before it; NULL: none. `last` is also NULL if the start
-     is not made of the last step.
+  /* The objects that this solver kept of the last step and of the step before it. NULL: none; of `last` also: the start comes
+     from elsewhere.
      Start: a point has the pressure a in the last step and b in the one before. If `last` is not NULL, p of rc_problem is
      min(max(0, (a + ahead*(a - b)) / pressure), cap); b plays no part if ahead is 0. The library has written this p, so the
      solver may drop what it kept.
