@@ -21,7 +21,8 @@
  *
  * Between the nodes p is a quadratic spline with one knot in each interval. It has the nodes' values, rises, and is inside the
  * bounds at every overclosure, to round-off. It is C1, with three exceptions, where its slope jumps:
- *   at a node within 1e-9 of whose overclosure the exact curve has a kink: a point touches or reaches the hardness there;
+ *   at a node near a kink of the exact curve, where a point touches or reaches the hardness: the kink is within 1e-9 of the node's
+ *   overclosure, or as near as the pressures tell, p_upper - p_lower of the node and of its neighbours, added, over the jump;
  *   at both ends of an interval that no such spline fits, which gets the chord: with RC_LAW_CONVEX by as little as the slopes and
  *   pressures of the nodes are uncertain, with RC_LAW_SLOPES and _MONOTONE by any part of the slope;
  *   at and below p_lower.

@@ -7,7 +7,7 @@ namespace rc {
 
 namespace {
 
-constexpr double at_node = 1e-9;     // of the overclosure: a knot this near to a node is at it
+constexpr double at_node = 1e-9;     // of a node's overclosure: a knot this near to it is at it
 constexpr double short_part = 1e-7;  // of the overclosure: there a knot's round-off would change slopes
 constexpr double noise = 1e-6;       // of an interval: by so little tangents that touch at a node may miss it
 
@@ -35,7 +35,8 @@ std::optional<LawInterval> with_tangents(const rc_law_point& node, const rc_law_
   const double length = next.x - node.x, chord = chord_of(node, next);
   const double theta = (next.slope - chord) / (next.slope - node.slope), before = theta * length, after = length - before;
   if (!(theta > -noise && theta < 1 + noise)) return {};
-  if (std::min(before, after) < at_node * next.x) return rising(node, next, before < after ? 0 : length);
+  if (before < after ? before < at_node * node.x : after < at_node * next.x)
+    return rising(node, next, before < after ? 0 : length);
   if (std::min(before, after) < short_part * next.x) return rising(node, next, before);
   return knotted(length, theta, node.slope, chord, next.slope);
 }

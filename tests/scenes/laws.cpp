@@ -23,9 +23,15 @@ using LawHandle = std::unique_ptr<rc_law, DestroyLaw>;
 
 // The quantities of a law at one approach.
 struct LawTruth {
-  Real x = 0, p = 0, slope = 0, area = 0, area_possible = 0;
+  Real x = 0, p = 0, slope = 0, rate = 1, area = 0, area_possible = 0;
   Real error = 0;       // of p, relative
   bool smooth = false;  // the slope is known
+};
+
+// A node between two intervals.
+struct Joint {
+  double x = 0, left = 0, right = 0, secant = 0;  // slopes on both sides, and from the origin
+  double uncertain = 0;                           // widths of the bounds of p at the node and its neighbours, added
 };
 
 class AsLaw final : public Property {
@@ -81,6 +87,7 @@ class AsLaw final : public Property {
       said_.push_back(evaluated(made, static_cast<double>(truth->x)));
     }
     draw_curve(made, random);
+    draw_joints(made);
     reload(made);
     return truths_.empty() ? "no pressure in its range" : "";
   }
@@ -91,6 +98,7 @@ class AsLaw final : public Property {
     need(info_.width <= tolerance_ || status_ != RC_OK, "the law is wider than asked for");
     for (std::size_t k = 0; k < truths_.size(); ++k) judge(truths_[k], said_[k], c);
     judge_curve();
+    for (const Joint& joint : joints_) judge_joint(joint, c);
     for (std::size_t k = 0; k < loaded_.size(); ++k) {
       const auto same = [](double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b)); };
       const rc_law_point &a = said_[k], &b = loaded_[k];
@@ -106,12 +114,19 @@ class AsLaw final : public Property {
     return Verdict::held;
   }
 
-  // A bound on the wrong side, bounds wider than the law says, a law that is loaded with other bits.
-  bool spoil(const Case&, Random& random) override {
+  // A bound on the wrong side, bounds wider than the law says, a law that is loaded with other bits, a jump of p or of the slope.
+  bool spoil(const Case& c, Random& random) override {
     if (!law_) return false;
     const auto k = static_cast<std::size_t>(random.below(static_cast<std::int64_t>(truths_.size())));
     rc_law_point& said = said_[k];
-    switch (random.below(5)) {
+    switch (random.below(6)) {
+      case 5:
+        return std::ranges::any_of(joints_, [&](Joint& joint) {  // the first that has no kink
+          joint.right *= 1.01;
+          if (joint.right > 0 && !has_kink(joint, c)) return true;
+          joint.right /= 1.01;
+          return false;
+        });
       case 4:
         curve_[curve_.size() / 2].p *= 0.99;
         return curve_.size() > 2;
@@ -174,8 +189,23 @@ class AsLaw final : public Property {
       fall += capped ? 0 : 1 - dw[i];
     }
     truth.x = mean_ ? static_cast<Real>(mean_gap_) - gaps / count : approach;
-    truth.slope = exact.stiffness * cell / area / (mean_ ? fall / count : 1);
+    if (mean_) truth.rate = fall / count;
+    truth.slope = exact.stiffness * cell / area / truth.rate;
     truth.smooth = exact.worth == Worth::exact;
+    return truth;
+  }
+
+  // By the overclosure instead of the approach: both grow together, in a polygon.
+  std::optional<LawTruth> truth_by(const Case& c, double x) const {
+    double compression = x;
+    std::optional<LawTruth> truth;
+    for (int k = 0; k < 30; ++k) {
+      truth = truth_at(c, compression);
+      if (!truth || !mean_) return truth;
+      const double off = x - static_cast<double>(truth->x);
+      if (std::abs(off) <= 4e-16 * x) break;
+      compression += off / static_cast<double>(truth->rate);
+    }
     return truth;
   }
 
@@ -256,6 +286,42 @@ class AsLaw final : public Property {
     }
   }
 
+  // The slopes on both sides of each node between two others and beyond the first, but for chords without the bounds CONVEX.
+  void draw_joints(const rc_law* law) {
+    const rc_law_point none = RC_LAW_POINT_INIT;
+    std::vector<rc_law_point> nodes(static_cast<std::size_t>(info_.nodes), none);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      pairs::check(rc_law_describe_node(law, static_cast<std::int64_t>(i), &nodes[i]) == RC_OK, rc_last_error());
+    const auto before = [](double x) { return std::nextafter(x, 0); };
+    const auto slope = [law](double x) { return evaluated(law, x).slope; };
+    const auto chord = [&](const rc_law_point& node, const rc_law_point& next) {
+      const double length = next.x - node.x, rise = (next.p - node.p) / length;
+      const auto rises = [&](double x) { return std::abs(slope(x) - rise) <= 1e-9 * rise; };
+      return node.bounds != RC_LAW_CONVEX && rises(node.x) && rises(node.x + length / 3) && rises(before(next.x));
+    };
+    for (std::size_t i = 2; i + 1 < nodes.size(); ++i) {
+      const rc_law_point &node = nodes[i], &last = nodes[i - 1], &next = nodes[i + 1];
+      if (chord(last, node) || chord(node, next)) continue;
+      const double widths = last.p_upper - last.p_lower + node.p_upper - node.p_lower + next.p_upper - next.p_lower;
+      joints_.push_back({node.x, slope(before(node.x)), slope(node.x), node.p / node.x, widths});
+    }
+  }
+
+  // Whether the exact curve has a kink at the node, as near as law.h says.
+  bool has_kink(const Joint& joint, const Case& c) const {
+    const double rounding = 4e-16 * (std::abs(lowest_) + mean_gap_ + joint.x);
+    const double near = 1e-9 * joint.x + joint.uncertain / std::abs(joint.right - joint.left) + rounding;
+    const auto less = truth_by(c, joint.x - near), more = truth_by(c, joint.x + near);
+    return !less || !more || !less->smooth || !more->smooth || std::abs(more->slope - less->slope) > 1e-9L * less->slope;
+  }
+
+  void judge_joint(const Joint& joint, const Case& c) const {
+    constexpr double rounding = 1e-6;  // of slopes
+    if (std::abs(joint.right - joint.left) < rounding * std::max({joint.left, joint.right, joint.secant})) return;
+    need(has_kink(joint, c),
+         "the slope jumps at " + number(joint.x) + " from " + number(joint.left) + " to " + number(joint.right));
+  }
+
   void reload(const rc_law* law) {
     std::random_device random;
     const auto path =
@@ -280,6 +346,7 @@ class AsLaw final : public Property {
     double x = 0, p = 0, slope = 0, back = 0, p_back = 0, p_lower = 0, p_upper = 0;
   };
   std::vector<LawTruth> truths_;
+  std::vector<Joint> joints_;
   std::vector<CurvePoint> curve_;
   std::vector<rc_law_point> said_, loaded_;
 };

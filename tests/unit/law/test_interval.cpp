@@ -1,4 +1,4 @@
-// A law from the origin to its first node.
+// A law from the origin to its first node, and between two nodes.
 #include <cmath>
 
 #include "law/interval.h"
@@ -27,9 +27,29 @@ void the_first_interval_has_the_nodes_value_slope_and_energy(void**) {
     }
 }
 
+// The slope jumps at a node from whose overclosure a kink is at most 1e-9 away, and nowhere else.
+void a_kink_beside_a_node_is_at_it_within_1e_9_of_its_overclosure(void**) {
+  for (const double share : {0.5, 2.0})
+    for (const bool last : {false, true}) {
+      rc_law_point node = RC_LAW_POINT_INIT, next = RC_LAW_POINT_INIT;
+      node.x = node.p = node.slope = 1;
+      next.x = 8;
+      next.slope = 2;
+      const double kink = last ? 8 - share * 8e-9 : 1 + share * 1e-9;
+      next.p = kink + 2 * (next.x - kink);
+      const auto found = with_tangents(node, next);
+      assert_true(found.has_value());
+      const LawPart &first = found->before.length > 0 ? found->before : found->after,
+                    &second = found->after.length > 0 ? found->after : found->before;
+      const double jump = last ? next.slope - second.last : first.first - node.slope;
+      assert_true(share < 1 ? std::abs(jump - 1) < 1e-6 : std::abs(jump) < 1e-6);
+    }
+}
+
 }  // namespace
 
 int main() {
-  const CMUnitTest tests[] = {cmocka_unit_test(the_first_interval_has_the_nodes_value_slope_and_energy)};
+  const CMUnitTest tests[] = {cmocka_unit_test(the_first_interval_has_the_nodes_value_slope_and_energy),
+                              cmocka_unit_test(a_kink_beside_a_node_is_at_it_within_1e_9_of_its_overclosure)};
   return cmocka_run_group_tests_name("unit.interval", tests, nullptr, nullptr);
 }
