@@ -25,7 +25,8 @@ Response::Response(const Layer& layer)
       k2_(3 - 4 * layer.base_poisson) {}
 
 double Response::reach() const {
-  constexpr double share = 0.7, of_thickness = 2.3;
+  constexpr double share = 0.7;
+  const double of_thickness = layer_.bonded ? 1.4 - 0.9 * layer_.poisson : 2.3;
   return share * (layer_.rigid_base ? of_thickness : std::min(of_thickness, std::cbrt(6 / layer_.modulus)));
 }
 

@@ -30,9 +30,10 @@ class Response {
   template <class Number> Number beyond(Number s) const { return f(s) - short_waves(); }
   double short_waves() const { return 1 / layer_.modulus; }
   double long_waves() const { return layer_.rigid_base ? 0 : 1; }
-  // f has no singularity in the first quadrant nearer to 0 than this. That of a stiff layer is the plate's, (6/m)^(1/3); that of
-  // other layers is 2.3 or more. tests/unit/kernel/layer/layer_zeros.py counts the zeros of the denominators for m = 1e-6 .. 1e6
-  // and several Poisson's ratios: none is nearer than .75 of the smaller of the two.
+  // f has no singularity nearer to 0 than this, in the first quadrant and some way beyond the imaginary axis; poles of bonded
+  // soft layers lie on that axis or next to it. The pole of a stiff layer is the plate's, (6/m)^(1/3). Others are at about 2.3,
+  // those of bonded layers at 1.4 - .9 nu1. tests/unit/kernel/layer/layer_zeros.py counts the zeros of the denominators for m =
+  // 1e-6 .. 1e6 and several Poisson's ratios: none is nearer than .7 of the smaller of the two.
   double reach() const;
 
   const Layer& layer() const { return layer_; }
