@@ -73,6 +73,28 @@ def test_a_texture_is_fitted_and_heights_are_carried_to_the_load():
         assert linear == pytest.approx(sampled, rel=0.25)
 
 
+def printed(example, points):
+    """The numbers of each line that an example prints."""
+    program = [sys.executable, str(DOCUMENT.parents[1] / "examples" / example), "--points", str(points)]
+    ran = subprocess.run(program, capture_output=True, text=True)
+    assert ran.returncode == 0, ran.stderr
+    return [[float(each) for each in re.findall(r"(?<![\^\d.])\d[\d.]*(?:e-?\d+)?", line)] for line in ran.stdout.splitlines()]
+
+
+def test_a_pin_wears_flat():
+    *steps, (volume, radius) = printed("wear.py", 64)
+    assert [step[0] for step in steps] == [1, 2, 5, 10, 20]
+    assert all(off < 1e-8 for *_, off in steps)
+    assert steps[-1][3] == pytest.approx(volume, rel=1e-6)
+    assert steps[-1][1] == pytest.approx(radius, rel=0.01)
+
+
+def test_roughness_finer_than_the_grid_is_a_bed_of_springs():
+    for _, approach, steps, off, fine_grid, rigid in printed("fine_roughness.py", 16):
+        assert steps < 30 and off < 1e-7
+        assert abs(approach - fine_grid) < 0.3 * (rigid - fine_grid)
+
+
 def test_a_micro_simulation_goes_back_to_a_state(monkeypatch):
     monkeypatch.syspath_prepend(DOCUMENT.parents[1] / "integrations" / "precice")
     micro = importlib.import_module("micro_simulation")
