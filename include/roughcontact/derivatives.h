@@ -26,8 +26,8 @@ extern "C" {
  *  round-off kept a larger residual; `error` counts it. Other positive values: stopped. Nothing is written by a call that fails or
  *  is stopped.
  *  Errors: ARGUMENT (the step did not return RC_OK; NaN or infinite input; load control if no point carries pressure, or if
- *  each point that does is at the hardness: the load does not determine the approach then), INCOMPATIBLE, MEMORY, NUMERIC,
- *  EXTERNAL, BUSY.
+ *  each point that does is at the hardness: the load does not determine the approach then), NUMERIC (H is not positive definite, or
+ *  so badly scaled that conjugate gradients lower no residual), INCOMPATIBLE, MEMORY, EXTERNAL, BUSY.
  *  @{ */
 
 /** Reverse mode: the derivatives of one number J that is computed from the step's answer. The caller sets how J changes with each

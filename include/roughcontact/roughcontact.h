@@ -335,7 +335,7 @@ typedef struct rc_result {
   /* Stiffness */
   double stiffness;    /* dW/dd of the contact set [force/length], to tol of its value or closer (round-off may keep some
                           1e-8 if nearly all of 10^5 periodic points touch); infinite in full periodic contact; NaN where
-                          option stiffness is 0                                                                      */
+                          option stiffness is 0, and where conjugate gradients with a product lower no residual      */
   double stiffness_lower, stiffness_upper; /* the exact dW/dd at this approach lies between these [force/length]; NaN
                           unless option stiffness is 2, and where no proof is known. Both 0 if each loaded point is proven
                           to be at the hardness: the load does not grow there                                        */

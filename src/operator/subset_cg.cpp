@@ -13,7 +13,9 @@ namespace rc {
 rc_status Operator::subset_by_products(std::span<const std::int64_t> a, const double* b, double* x, double tol) {
   constexpr double attained = 1e-15;    // least relative residual that products in double precision can reach
   constexpr double progress = 0.9;      // the residual falls where it is below this share of the least one before
-  constexpr int patience = 39;          // iterations without such a fall
+  constexpr std::size_t patience = 39;  // iterations without such a fall, once the answer is acceptable
+  // Before: in exact arithmetic residuals may fall at the last point's iteration alone, and round-off delays it.
+  constexpr std::size_t for_each_point = 2, most_patience = 1000;
   constexpr double acceptable = 1e-11;  // above this, stopping early is a failure
   const std::size_t m = a.size(), n = static_cast<std::size_t>(trial_.n);
   std::vector<double> spread(n, 0.0), product(n), r(b, b + m), best(m, 0.0);
@@ -47,14 +49,17 @@ rc_status Operator::subset_by_products(std::span<const std::int64_t> a, const do
 
   double least = size_r();
   std::copy(x, x + m, best.begin());
-  Stall stalls(progress, patience, Stall::Mark::least);
+  Stall stalls_late(progress, patience, Stall::Mark::least),
+      stalls_early(progress, static_cast<std::int64_t>(std::clamp(for_each_point * m, patience, most_patience)),
+                   Stall::Mark::least);
   const auto enough = [&](int, double rr) {
     const double size = size_r();
     if (size < least) {
       least = size;
       std::copy(x, x + m, best.begin());
     }
-    return stalls(size) || least <= std::max(tol, attained) || rr == 0;
+    const bool late = stalls_late(size), early = stalls_early(size);
+    return (least <= acceptable ? late : early) || least <= std::max(tol, attained) || rr == 0;
   };
   const ConjugateGradientsEnd end = conjugate_gradients(
       {x, m}, r, size_b, sum_in_order,

@@ -5,12 +5,31 @@
 
 namespace scenes {
 
+namespace {
+
+// Off-diagonals that are not positive, half of them 0, and rows that are a little more than balanced.
+Field m_matrix(std::size_t n, double shift, double scale, Random& random) {
+  Field matrix(n * n, 0.0);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      matrix[i * n + j] = matrix[j * n + i] = random.chance(0.5) ? 0 : -scale * random.uniform();
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto row = matrix.begin() + static_cast<std::ptrdiff_t>(i * n);
+    const double others = -std::accumulate(row, row + static_cast<std::ptrdiff_t>(n), 0.0);
+    matrix[i * n + i] = others + scale * (shift + random.uniform());
+  }
+  return matrix;
+}
+
+}  // namespace
+
 Field random_matrix(std::size_t n, Random& random) {
-  const std::int64_t kind = random.below(4);
+  const std::int64_t kind = random.below(6);
   const double shift = random.decades(-4, 0), scale = random.decades(-3, 3), reach = random.decades(-1, 1);
+  if (kind == 4) return m_matrix(n, shift, scale, random);
   const std::size_t m = n + 2;
   Field factor(n * m), matrix(n * n), x(n), y(n);
-  for (double& value : factor) value = kind == 0 ? random.normal() : std::abs(random.normal());
+  for (double& value : factor) value = kind == 0 || kind == 5 ? random.normal() : std::abs(random.normal());
   for (std::size_t i = 0; i < n; ++i) {
     x[i] = random.uniform(0, std::sqrt(static_cast<double>(n)));
     y[i] = random.uniform(0, std::sqrt(static_cast<double>(n)));
@@ -24,6 +43,12 @@ Field random_matrix(std::size_t n, Random& random) {
   };
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j <= i; ++j) matrix[i * n + j] = matrix[j * n + i] = scale * entry(i, j);
+  if (kind == 5) {  // rows and columns of other units
+    Field units(n);
+    for (double& unit : units) unit = random.decades(-1, 1);
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j) matrix[i * n + j] *= units[i] * units[j];
+  }
   return matrix;
 }
 

@@ -173,6 +173,10 @@ class Linearised {
     rc_status status = (*solve_)(scaled, tol, out.x, bound);
     if (status == RC_OK || status == RC_STOP_STALLED)
       if (const rc_status proof = solve_->prove(scaled, out.x, bound); proof != RC_OK) status = proof;
+    if (status == RC_STOP_STALLED && std::ranges::all_of(out.x, [](double value) { return value == 0; }))
+      fail(RC_ERR_NUMERIC, "the solve on the ", set_.n(),
+           " points in contact ended where it began: conjugate gradients lowered no ",
+           "residual; give H as a matrix (RC_OPERATOR_DENSE), which is factored");
     for (double& value : out.x) value *= size;
     out.sum = total(out.x);
     out.residual = bound.residual * size;

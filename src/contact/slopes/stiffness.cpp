@@ -25,7 +25,8 @@ struct FlatPunch {
 
   // Without the rank-one mean (Sherman & Morrison 1950): grows with the sum of x.
   double stiffness(double sum) const { return sum / (1 - mean * sum); }
-  bool found() const { return status == RC_OK || status == RC_STOP_STALLED; }
+  // A solve that stalls at its start has x = 0.
+  bool found() const { return status == RC_OK || (status == RC_STOP_STALLED && bound.form > 0); }
   double lower() const { return std::max(0.0, stiffness(std::max(0.0, bound.form - bound.error))); }
   double upper() const {
     const double most = bound.form + bound.error;

@@ -47,6 +47,21 @@ void errors_are_bounded() {
   check(widest > 1e-6 && widest < 0.1, "the largest bound is " + text(widest) + " of its gradient");
 }
 
+// The same change of the pressures by approach and by load: the latter is scaled by a sum of pressures, whose error adds.
+void a_load_adds_to_the_error() {
+  const Problem problem = rough_problem(24, 20, RC_BOUNDARY_FREE, 0.5, 0.75);
+  const Settings loose{{RC_OPT_TOL, "1e-5"}};
+  const Contact by_approach(problem, {"haar-cg", "fft"}, loose), by_load(problem, {"haar-cg", "fft"}, loose);
+  const Answer answer = by_approach.solve(problem);
+  check_status(answer, RC_OK);
+  check_status(by_load.solve(at_load(problem, answer.result.load)), RC_OK);
+  const Tangent moved = tangent(by_approach, problem.points(), {{}, 1, 0}),
+                loaded = tangent(by_load, problem.points(), {{}, moved.result.dload, 0});
+  check_near(loaded.p, moved.p, 1e-3 * norm(moved.p), "dp");
+  check(loaded.result.error > 1.1 * moved.result.error && loaded.result.error < 2.1 * moved.result.error,
+        "errors " + text(loaded.result.error) + " and " + text(moved.result.error));
+}
+
 // The gradients of load and approach are those that their cotangents give, and take one solve.
 void load_and_approach_by_default() {
   for (const int kind : {0, 1, 2, 3}) {
@@ -94,6 +109,69 @@ void full_periodic_contact() {
     check_near(dot(reverse.by_gap, change.gap) + reverse.result.dJ_dtarget * 0.3,
                dot(by.p, forward.p) + dot(by.gap, forward.gap) + 0.5 * forward.result.dapproach, 1e-8, "transposes");
   }
+}
+
+// H of a chain whose ends are held. Conjugate gradients carry what the ends hold inwards by a point a step, and their residual
+// does not fall before.
+constexpr double chain_diagonal = 2 + 1e-7;
+
+int chain(const double* x, double* y, std::int64_t n, void*) {
+  for (std::int64_t i = 0; i < n; ++i) y[i] = chain_diagonal * x[i] - (i > 0 ? x[i - 1] : 0) - (i + 1 < n ? x[i + 1] : 0);
+  return 0;
+}
+
+// p = 1 everywhere at approach 0.
+Problem pressed_chain(std::int64_t nx, std::int64_t ny) {
+  Problem problem;
+  problem.system = RC_SYSTEM_INIT;
+  problem.system.op = RC_OPERATOR_CALLBACK;
+  problem.system.apply = chain;
+  problem.system.nx = nx, problem.system.ny = ny, problem.system.hx = problem.system.hy = 1;
+  problem.gap.resize(problem.points());
+  chain(Field(problem.points(), -1).data(), problem.gap.data(), nx * ny, nullptr);
+  return at_load(problem, static_cast<double>(nx * ny));
+}
+
+void a_product_whose_residuals_fall_late() {
+  const Problem multiplied = pressed_chain(12, 9);
+  const std::size_t n = multiplied.points();
+  Field matrix(n * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    matrix[i * n + i] = chain_diagonal;
+    if (i > 0) matrix[i * n + i - 1] = matrix[(i - 1) * n + i] = -1;
+  }
+  Problem factored = multiplied;
+  factored.system.op = RC_OPERATOR_DENSE;
+  factored.system.apply = nullptr;
+  factored.system.dense = matrix.data();
+  factored.system.dense_ld = factored.system.nx * factored.system.ny;
+  std::mt19937 generator(4);
+  const Change change{normals(n, generator), 0.3, 0};
+  const Cotangents by{normals(n, generator), normals(n, generator), 0.3, -0.2};
+  const Settings settings{{RC_OPT_STIFFNESS, "1"}};
+  const Contact with_factors(factored, automatic, settings), without(multiplied, automatic, settings);
+  const Answer exact = with_factors.solve(factored), answer = without.solve(multiplied);
+  check_status(exact, RC_OK);
+  check_status(answer, RC_OK);
+  check_near(answer.result.stiffness, exact.result.stiffness, 1e-8 * exact.result.stiffness, "stiffness");
+  const Tangent known = tangent(with_factors, n, change), forward = tangent(without, n, change);
+  check_equal(forward.status, RC_OK, forward.message);
+  check_near(forward.p, known.p, 1e-8 * norm(known.p), "dp");
+  const Gradient right = gradient(with_factors, n, by), reverse = gradient(without, n, by);
+  check_equal(reverse.status, RC_OK, reverse.message);
+  check_near(reverse.by_gap, right.by_gap, 1e-8 * norm(right.by_gap), "dJ/dh");
+}
+
+// More points than conjugate gradients wait for: what they would give is 0.
+void a_product_whose_residuals_fall_too_late() {
+  const Problem problem = pressed_chain(60, 50);
+  const Contact contact(problem, automatic, {{RC_OPT_STIFFNESS, "2"}});
+  const Answer answer = contact.solve(problem);
+  check_status(answer, RC_OK);
+  check(std::isnan(answer.result.stiffness), "stiffness " + text(answer.result.stiffness));
+  const Tangent forward = tangent(contact, problem.points(), {{}, 1, 0});
+  check_equal(forward.status, RC_ERR_NUMERIC, "status");
+  check(forward.message.find("3000 points in contact ended where it began") != std::string::npos, forward.message);
 }
 
 // Without contact the gap alone moves.
@@ -168,8 +246,11 @@ int main(int argc, char** argv) {
   using namespace pairs;
   return run_group("derivatives.differences",
                    {{"errors_are_bounded", errors_are_bounded},
+                    {"a_load_adds_to_the_error", a_load_adds_to_the_error},
                     {"load_and_approach_by_default", load_and_approach_by_default},
                     {"full_periodic_contact", full_periodic_contact},
+                    {"a_product_whose_residuals_fall_late", a_product_whose_residuals_fall_late},
+                    {"a_product_whose_residuals_fall_too_late", a_product_whose_residuals_fall_too_late},
                     {"no_contact", no_contact},
                     {"the_same_bits_for_any_number_of_threads", the_same_bits_for_any_number_of_threads},
                     {"a_stopped_gradient_writes_nothing", a_stopped_gradient_writes_nothing},
