@@ -44,6 +44,7 @@ std::span<const Kind> properties_of_sequences();
 std::span<const Kind> properties_of_slopes();
 std::span<const Kind> properties_of_laws();
 std::span<const Kind> properties_of_costs();
+std::span<const Kind> properties_of_creep();
 std::span<const Kind> properties_of_flows();  // these two: where libroughcontact-flow is built
 std::span<const Kind> properties_of_closing();
 
