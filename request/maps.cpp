@@ -154,19 +154,18 @@ std::vector<double>& Map::writable() {
   return own;
 }
 
-const rc_map* map_of(const rc_request_spec& spec, std::string_view word) {
+const rc_map* map_of(const rc_request_spec& spec, std::string_view word, std::int64_t which) {
   for (std::int64_t k = 0; k < spec.n_maps; ++k) {
     const auto* const map = reinterpret_cast<const rc_map*>(reinterpret_cast<const char*>(spec.maps) +
                                                             static_cast<std::size_t>(k) * spec.maps->struct_size);
-    if (map->word && word == map->word) return map;
+    if (map->word && word == map->word && which-- == 0) return map;
   }
   return nullptr;
 }
 
-std::optional<Map> load_map(const rc_request_spec& spec, const Words& words, std::string_view word, const BareUnit& unit,
+std::optional<Map> load_map(const rc_map* memory, const Words& words, std::string_view word, const BareUnit& unit,
                             double height_range) {
   const Given* const given = words.find(word);
-  const rc_map* const memory = map_of(spec, word);
   if (!given && !memory) return std::nullopt;
   if (given && memory) fail(RC_ERR_ARGUMENT, words.spelt(word), " is given twice");
   std::optional<Map> map;

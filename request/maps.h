@@ -42,10 +42,11 @@ struct Map {
   std::vector<double>& writable();
 };
 
-const rc_map* map_of(const rc_request_spec& spec, std::string_view word);
+// The map in memory of this word, the first or one after it; null if there is none.
+const rc_map* map_of(const rc_request_spec& spec, std::string_view word, std::int64_t which = 0);
 
-// The map that a word names; nothing if it was not given. height_range: of pictures [m], 0: not given.
-std::optional<Map> load_map(const rc_request_spec& spec, const Words& words, std::string_view word, const BareUnit& unit,
+// The map that a word names; nothing if it was not given. memory: may be null. height_range: of pictures [m], 0: not given.
+std::optional<Map> load_map(const rc_map* memory, const Words& words, std::string_view word, const BareUnit& unit,
                             double height_range);
 
 // Refuses a unit that was given where all files name others for all their lengths. other: null if there is none.

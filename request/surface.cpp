@@ -244,12 +244,13 @@ void set_surface(const rc_request_spec& spec, const Words& words, Units& units, 
     if (of_gap && (words.find(change) || map_of(spec, change)))
       throw Error(words.spelt(change), " changes heights, but ", words.spelt("gap"), " is given");
   const double range = height_range(words, units);
-  std::optional<Map> loaded = load_map(spec, words, word, units.bare, range);
+  std::optional<Map> loaded =
+      load_map(variation.replaced.first == "surface" ? variation.surface : map_of(spec, word), words, word, units.bare, range);
   if (!loaded && spec.system) return;  // a step on the surface of the step before
   if (!loaded) throw Error(words.spelt("surface"), " is missing");
   Map& map = request.maps.emplace_back(std::move(*loaded));
-  std::optional<Map> other = load_map(spec, words, "against", units.bare, range), shaped;
-  if (map_of(spec, "shape")) shaped = load_map(spec, words, "shape", units.bare, range);
+  std::optional<Map> other = load_map(map_of(spec, "against"), words, "against", units.bare, range), shaped;
+  if (const rc_map* const shape = map_of(spec, "shape")) shaped = load_map(shape, words, "shape", units.bare, range);
   request.against = other.has_value();
   request.shaped = shaped.has_value();
   if (range > 0 && !map.scaled && !(other && other->scaled) && !(shaped && shaped->scaled))

@@ -123,7 +123,7 @@ Words::Words(const rc_request_spec& spec, const Variation& variation)
     if (!each.text) given.numbers = {each.numbers, static_cast<std::size_t>(each.n)};
     if (given.name != variation.replaced.first) given_.push_back(std::move(given));
   }
-  if (!variation.replaced.first.empty())
+  if (variation.replaced.second)
     given_.push_back({variation.replaced.first, find_word(variation.replaced.first), variation.replaced.second, {}});
   const auto place = [](const Given& given) { return given.word ? given.word - table : std::ssize(table); };
   std::ranges::stable_sort(given_, {}, place);

@@ -19,12 +19,15 @@
  *   shift=2um             the other body, by up to this along x and y, cyclic,   standard deviation of samples     samples
  *                         by whole cells
  *   window=2              2 x 2 parts of the map, each for itself                their standard deviation / 2      4
+ *   maps=b.gsf;c.gsf      the surface, by others of the same kind and nominal    standard deviation of all,        1 a map
+ *                         area (within 1 %); or maps alone, and rc_map "maps"    the surface among them
  *   grid                  means over 2 x 2 and 4 x 4 points                      extrapolated error                2
  *   solver                nothing; it is always in the budget                    half the proven interval / sqrt(3)  0
  *   samples=16, seed=1    how many samples, and which
  *
  * Functions are thread-safe, keep nothing and print nothing; rc_request_last_error() has the text of the calling thread's last
- * failure. Sized structs: see roughcontact.h. Memory: about 12 arrays of the grid beside those of the contact.
+ * failure. Sized structs: see roughcontact.h. Memory: about 12 arrays of the grid beside those of the contact, and one
+ * for each of the other maps.
  */
 #ifndef ROUGHCONTACT_BUDGET_H
 #define ROUGHCONTACT_BUDGET_H

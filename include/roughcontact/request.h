@@ -84,7 +84,7 @@ typedef struct rc_given {
 /** Heights in memory, in place of a file, or the contents of a file. heights and mask are read until the request is destroyed. */
 typedef struct rc_map {
   size_t struct_size;
-  const char *word;      /* "surface", "against", "shape", or "gap": undeformed gaps                                 */
+  const char *word;      /* "surface", "against", "shape", "gap": undeformed gaps, or "maps": of a budget            */
   const double *heights; /* [maps*ny*nx], NaN: missing. NULL: the caller has them, and asks for the rest             */
   const uint8_t *mask;   /* [maps*ny*nx], 0: the point carries no pressure, whatever its height; NULL: none          */
   int64_t nx, ny;        /* of contents those of the mask, if there is one                                           */

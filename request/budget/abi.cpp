@@ -20,7 +20,7 @@ std::unique_ptr<rc_budget> made_budget(const rc_request_spec& spec, const rc_bud
   if (base->view.system.creep_terms > 0) fail(RC_ERR_ARGUMENT, "a budget is of elastic bodies, leave their creep out");
   if (base->targets.empty()) fail(RC_ERR_ARGUMENT, "a budget is of a step, give approach, load, pressure or area");
   auto budget = std::make_unique<rc_budget>();
-  budget->sources = read_sources(given.sources, Words{spec, {}}, *base);
+  budget->sources = read_sources(given.sources, spec, *base);
   const bool si = base->view.si == 1;
   budget->names = quantity_names(si, {given.value_name ? given.value_name : "", given.value_unit ? given.value_unit : ""});
   budget->rows = rows_of(spec, given, *base, budget->sources, budget->value);

@@ -57,6 +57,8 @@ class Rows {
         return shift(source);
       case Kind::window:
         return window(source);
+      case Kind::maps:
+        return maps(source);
       case Kind::grid:
         return grid();
       case Kind::bandwidth:
@@ -70,10 +72,13 @@ class Rows {
 
   // The problem with a change, solved by a contact of its own.
   Outcome changed(const Source& source, const Variation& variation) {
-    const auto request = made(spec_, variation);
-    const Pressing problem = pressing(*request, of_gap_);
-    Press press{problem.system, options(*request, false).get(), progress_};
-    return press.solve(problem, named(source).c_str());
+    return alone(*made(spec_, variation), named(source).c_str());
+  }
+
+  Outcome alone(const rc_request& request, const char* what) {
+    const Pressing problem = pressing(request, of_gap_);
+    Press press{problem.system, options(request, false).get(), progress_};
+    return press.solve(problem, what);
   }
 
   static std::string named(const Source& source) { return join("source ", source.name); }
@@ -193,6 +198,46 @@ class Rows {
     Row found = sampled(samples, false);
     for (Contribution& each : found) each.standard = each.sampled = each.standard / source.size;
     return found;
+  }
+
+  // The map itself and others as large. Not divided: the value is that of one map, which stands for the surface.
+  Row maps(const Source& source) {
+    std::vector<std::unique_ptr<rc_request>> others;  // all are read before the first is solved
+    for (std::int64_t k = 0; k < solves_of(source, 0); ++k) {
+      const char* const file = source.files.empty() ? nullptr : source.files[static_cast<std::size_t>(k)].c_str();
+      others.push_back(other_map({.replaced = {"surface", file}, .surface = file ? nullptr : map_of(spec_, "maps", k)},
+                                 join(named(source), ", map ", k + 1)));
+    }
+    std::vector<Outcome> samples{value_};
+    for (const auto& each : others) samples.push_back(alone(*each, named(source).c_str()));
+    return sampled(samples, false);
+  }
+
+  std::unique_ptr<rc_request> other_map(const Variation& variation, const std::string& where) const {
+    std::unique_ptr<rc_request> other;
+    try {
+      other = made(spec_, variation);
+    } catch (const rc::Error& error) {
+      fail(error.code(), where, ": ", error.what());
+    } catch (const formats::Error& error) {
+      fail(RC_ERR_ARGUMENT, where, ": ", error.what());
+    }
+    if (!other->view.heights || other->view.maps != 1) fail(RC_ERR_ARGUMENT, where, " is not one map with heights");
+    constexpr double most = 0.01;
+    const rc_system &its = other->view.system, &own = problem_.system;
+    const auto nominal = [](const rc_system& s) { return static_cast<double>(s.nx * s.ny) * s.hx * s.hy; };
+    const double change = nominal(its) / nominal(own) - 1;
+    if (other->view.si != base_.view.si)
+      fail(RC_ERR_ARGUMENT, where, " and the surface must both have units, or none; give unit");
+    if (!(std::abs(change) <= most))
+      fail(RC_ERR_SHAPE, where, ": its nominal area differs by ", in_digits(100 * std::abs(change), 2), " %, the limit is ",
+           100 * most, " %; crop the larger one");
+    if (its.boundary != own.boundary)
+      fail(RC_ERR_ARGUMENT, where,
+           ": its edges would be free and those of the surface periodic, or the other way round; give boundary");
+    if (pressing(*other, false).z == problem_.z)
+      fail(RC_ERR_ARGUMENT, where, " has the heights of the surface itself; give other maps only");
+    return other;
   }
 
   // Three grids, each of twice the pitch: the error of the finest is extrapolated with the order that the changes show, .5 to 2.

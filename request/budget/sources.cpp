@@ -20,7 +20,7 @@ constexpr Key keys[] = {{"noise", Kind::noise},   {"pitch", Kind::pitch},
                         {"area", Kind::word},     {"bandwidth", Kind::bandwidth},
                         {"remove", Kind::remove}, {"missing", Kind::missing},
                         {"shift", Kind::shift},   {"window", Kind::window},
-                        {"grid", Kind::grid}};
+                        {"maps", Kind::maps},     {"grid", Kind::grid}};
 constexpr std::string_view settings[] = {"correlation", "samples", "seed"};
 
 struct Setting {
@@ -35,12 +35,13 @@ Setting setting_of(std::string_view text) {
 // Reads the text of a source in the units of the request.
 class Reader {
  public:
-  Reader(const Words& words, const rc_request& base) : words_(words), base_(base) {}
+  Reader(const rc_request_spec& spec, const rc_request& base) : spec_(spec), words_(spec, {}), base_(base) {}
 
   Source source(const Key& key, std::string_view value) const {
     Source made{.kind = key.second, .name = std::string(key.first), .given = std::string(value)};
     const std::string where = spelt(key.first);
-    const bool bare = value.empty(), may_be_bare = made.kind == Kind::missing || made.kind == Kind::grid;
+    const bool bare = value.empty(),
+               may_be_bare = made.kind == Kind::missing || made.kind == Kind::maps || made.kind == Kind::grid;
     if (bare && !may_be_bare) throw Error(where, " has no value, give its uncertainty as in noise=20nm,pitch=1%,E=5%");
     if (!bare && made.kind == Kind::grid) throw Error(where, " takes no value");
     switch (made.kind) {
@@ -60,6 +61,9 @@ class Reader {
         break;
       case Kind::window:
         made.size = parts(where, value);
+        break;
+      case Kind::maps:
+        set_maps(where, made);
         break;
       case Kind::remove:
         made.value =
@@ -108,6 +112,22 @@ class Reader {
     return static_cast<double>(found);
   }
 
+  void set_maps(const std::string& where, Source& made) const {
+    if (map_of(spec_, "gap")) throw Error(where, " is of heights, but ", words_.spelt("gap"), " is given");
+    std::int64_t count = 0;
+    while (map_of(spec_, "maps", count)) ++count;
+    if (!made.given.empty()) {
+      if (count > 0) throw Error(where, " = ", made.given, " is also given in memory");
+      for (const std::string_view each : split(made.given, ';')) made.files.emplace_back(trimmed(each));
+      if (std::ranges::find(made.files, "") != made.files.end())
+        throw Error(where, " = ", made.given, " has an empty name, give it as in maps=second.gsf;third.gsf");
+      count = std::ssize(made.files);
+    }
+    if (count == 0) throw Error(where, " names no map, give at least one other as in maps=second.gsf;third.gsf");
+    made.size = static_cast<double>(count);
+    if (made.given.empty()) made.given = join(count, count == 1 ? " map" : " maps");
+  }
+
   void check_halves(const std::string& where) const {
     constexpr std::int64_t least_side = 32;
     const rc_system& system = base_.view.system;
@@ -141,7 +161,8 @@ class Reader {
     return size.si() / (key.first == "load" || key.first == "pressure" ? of.back() : of.front()).si();
   }
 
-  const Words& words_;
+  const rc_request_spec& spec_;
+  const Words words_;
   const rc_request& base_;
 };
 
@@ -159,6 +180,8 @@ std::int64_t solves_of(const Source& source, std::int64_t samples) {
       return 2;
     case Kind::window:
       return static_cast<std::int64_t>(source.size * source.size);
+    case Kind::maps:
+      return static_cast<std::int64_t>(source.size);
     case Kind::solver:
       return 0;
     default:
@@ -172,9 +195,9 @@ std::int64_t Sources::solves() const {
   return sum;
 }
 
-Sources read_sources(const char* text, const Words& words, const rc_request& base) {
+Sources read_sources(const char* text, const rc_request_spec& spec, const rc_request& base) {
   constexpr std::int64_t most_samples = 100000;
-  const Reader reader{words, base};
+  const Reader reader{spec, base};
   std::vector<std::string_view> names;
   for (const Key& key : keys) names.push_back(key.first);
   names.insert(names.end(), std::begin(settings), std::end(settings));

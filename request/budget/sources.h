@@ -10,14 +10,15 @@
 
 namespace rc::request {
 
-enum class Kind { noise, word, pitch, height, bandwidth, remove, missing, shift, window, grid, solver };
+enum class Kind { noise, word, pitch, height, bandwidth, remove, missing, shift, window, maps, grid, solver };
 
 struct Source {
   Kind kind;
   std::string name, given{};
-  double size = 0;         // noise, bandwidth, shift [length]; word, pitch, height: relative; window: parts a side
-  double correlation = 0;  // of noise [length]; 0: independent
-  std::string value{};     // remove, missing: in place of what the request has
+  double size = 0;  // noise, bandwidth, shift [length]; word, pitch, height: relative; window: parts a side; maps: how many
+  double correlation = 0;            // of noise [length]; 0: independent
+  std::string value{};               // remove, missing: in place of what the request has
+  std::vector<std::string> files{};  // of maps; empty: they are in memory
 };
 
 struct Sources {
@@ -29,7 +30,7 @@ struct Sources {
 };
 std::int64_t solves_of(const Source& source, std::int64_t samples);
 
-// base: the request as it is, made from these words. Throws an Error that says what was expected.
-Sources read_sources(const char* text, const Words& words, const rc_request& base);
+// base: the request as it is, made from this specification. Throws an Error that says what was expected.
+Sources read_sources(const char* text, const rc_request_spec& spec, const rc_request& base);
 
 }  // namespace rc::request

@@ -14,7 +14,7 @@ void add_budget_sources(Command& command, SolveArguments& arguments) {
   command.add("Uncertainty",
               {{"--budget", &arguments.budget, "SOURCES",
                 "How sure the last step is: noise=20nm, correlation=2um, bandwidth=2um, pitch=1%, height=1%, E=5% and "
-                "other words, remove=quadric, missing, shift=2um, window=2, grid; separated by commas"}});
+                "other words, remove=quadric, missing, shift=2um, window=2, 'maps=b.gsf;c.gsf', grid; separated by commas"}});
 }
 
 void add_quiet(Command& command, SolveArguments& arguments) {

@@ -5,7 +5,7 @@ from __future__ import annotations
 import ctypes
 from contextlib import nullcontext
 from dataclasses import dataclass
-from typing import Any, Callable, Dict, Mapping, Optional, Tuple, Union
+from typing import Any, Callable, Dict, Mapping, Optional, Sequence, Tuple, Union
 
 from numpy.typing import ArrayLike
 
@@ -158,8 +158,9 @@ def budget(
     heights, undeformed_gap, mask, options: as in `solve`
     sources: what is uncertain, as "noise=20nm,pitch=1%,E=5%,grid" or a dictionary; the uncertainties are standard ones, shares or
         lengths, pressures and so on. noise (with correlation), pitch, height, modulus, E, nu, E2, nu2, hardness, approach, load,
-        pressure, area; bandwidth, remove, missing, shift, window, grid; samples (16) and seed (1). docs/how-to/uncertainty.md and
-        <roughcontact/budget.h> say what each does. The solver's own proven intervals are always among them
+        pressure, area; bandwidth, remove, missing, shift, window, maps (a list of files or surfaces), grid; samples (16) and seed
+        (1). docs/how-to/uncertainty.md and <roughcontact/budget.h> say what each does. The solver's own proven intervals are always
+        among them
     leak: "viscosity=1mPas,drop=1bar", and ",along=y": the flow through the gap is one more quantity, see `Result.leak`
     progress: True: a bar of the package tqdm; or a function, called with the solves that have ended and all of them, which ends the
         budget by returning True
@@ -168,9 +169,16 @@ def budget(
     """
     given, options = split_words(budget, options, words, context)
     given = given if leak is None else {**given, "leak": leak}
-    problem = pressed(_constants.RC_CALL_SOLVE, heights, undeformed_gap, mask, None, given)
-    problem.needed()
+    others: Sequence[Any] = ()
+    if not isinstance(sources, str):
+        maps = sources.get("maps")
+        if maps is not None and not isinstance(maps, str):
+            others, sources = maps if isinstance(maps, (list, tuple)) else [maps], {**sources, "maps": None}
     text = _text_of(sources)
+    if mask is not None and "maps" in text:
+        raise ArgumentError("source maps: mask is of the first map alone; give NaN in each map and missing='exclude'")
+    problem = pressed(_constants.RC_CALL_SOLVE, heights, undeformed_gap, mask, None, given, others=others)
+    problem.needed()
     if not text:
         raise ArgumentError("sources is empty: what is uncertain, as in 'noise=20nm,pitch=1%,E=5%,grid'?")
     callbacks, bars, spec = Callbacks(), Bars(), rc_budget_spec()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 from dataclasses import dataclass
-from typing import Any, Mapping, Optional
+from typing import Any, Mapping, Optional, Sequence
 
 import numpy as np
 
@@ -140,8 +140,9 @@ def pressed(
     words: Mapping[str, Any],
     leading: int = 0,
     spelling: int = _constants.RC_SPELLING_KEYWORD,
+    others: Sequence[Any] = (),
 ) -> Pressed:
-    """The problem of a call. Of heights or a gap; leading: axes that count surfaces."""
+    """The problem of a call. Of heights or a gap; leading: axes that count surfaces; others: maps of a budget."""
     if (heights is None) == (undeformed_gap is None):
         raise ArgumentError(
             f"{'both are' if heights is not None else 'neither is'} given: one of heights, undeformed_gap is needed"
@@ -152,7 +153,7 @@ def pressed(
         thing = words.get(word)
         if thing is not None and (word == "against" or not isinstance(thing, str)):
             things[word] = words.pop(word)
-    request, maps = request_of(call, words, things, mask, system, leading, spelling)
+    request, maps = request_of(call, words, things, mask, system, leading, spelling, others)
     for remark in request.remarks:
         if remark.code in WARNINGS and spelling == _constants.RC_SPELLING_KEYWORD:
             warn(remark.text.decode(errors="replace"), WARNINGS[remark.code])

@@ -248,7 +248,14 @@ class Request:
 
 
 def request_of(
-    call: int, words: Dict[str, Any], things: Dict[str, Any], mask: Any, system: Any, leading: int, spelling: int
+    call: int,
+    words: Dict[str, Any],
+    things: Dict[str, Any],
+    mask: Any,
+    system: Any,
+    leading: int,
+    spelling: int,
+    others: Sequence[Any] = (),
 ) -> Tuple[Request, List[Map]]:
     """The request; files of formats that no reader knows come from the package SurfaceTopography."""
     pitch = words.get("pitch")
@@ -262,7 +269,7 @@ def request_of(
                 else map_of(thing, word, own[word], pitch, leading if word in ("surface", "gap") else 0)
             )
             for word, thing in things.items()
-        ]
+        ] + [_file_map(each, "maps", None) if is_file(each) else map_of(each, "maps", None, pitch) for each in others]
 
     found = maps()
     try:

@@ -142,6 +142,63 @@ def test_windows_and_grids():
     assert found["mean_gap"]["grid"].standard == pytest.approx(last / (2**order - 1), rel=1e-6)
 
 
+@pytest.mark.parametrize("by", [{"pressure": "1GPa"}, {"load": "1N"}, {"approach": "0.4um"}])
+def test_maps_are_the_spread_of_separate_answers(by):
+    maps = [surface(seed) for seed in (1, 2, 3, 4)]
+    found = rc.budget(maps[0], {"maps": maps[1:]}, **by, **STEEL)
+    apart = [rc.solve(each, **by, stiffness=1, want_gap=True, **STEEL) for each in maps]
+    answers = {
+        "load": [each.load for each in apart],
+        "approach": [each.approach for each in apart],
+        "area": [each.area_fraction for each in apart],
+        "stiffness": [each.stiffness for each in apart],
+        "mean_gap": [each.mean_gap for each in apart],
+    }
+    for name, values in answers.items():
+        part = found[name]["maps"]
+        assert part.standard == pytest.approx(np.std(values, ddof=1), rel=1e-12, abs=1e-12 * abs(values[0]))
+        assert (part.given, part.shift, part.solves) == ("3 maps", 0, 3)
+    assert found["area"].dominant == "maps" and found["area"].freedom == pytest.approx(3, rel=1e-3)
+
+
+def test_maps_are_prepared_as_the_first(tmp_path):
+    tilted = [surface(seed).heights + 1e-8 * np.arange(64) for seed in (1, 2, 3)]
+    tilted[1][20:24, 30:40] = np.nan
+    paths = [str(tmp_path / f"{k}.npy") for k in range(3)]
+    for path, heights in zip(paths, tilted):
+        np.save(path, heights * 1e6)
+    words = {"remove": "plane", "missing": "fill", "pitch": "1um", "pressure": "1GPa", **STEEL, "unit": "um"}
+    areas = [rc.solve(path, **words).area_fraction for path in paths]
+    for sources in (f"maps={paths[1]};{paths[2]}", {"maps": paths[1:]}, {"maps": [paths[1], tilted[2] * 1e6]}):
+        found = rc.budget(paths[0], sources, **words)["area"]
+        assert found["maps"].standard == pytest.approx(np.std(areas, ddof=1), rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    "maps, message",
+    [
+        ([], "maps names no map, give at least one other"),
+        ([surface(1)], "has the heights of the surface itself"),
+        ([surface(2), rc.surface.spectral((64, 66), pitch=1e-6, seed=1, rms_height=0.3e-6, hurst=0.8)], "map 2: .* 3.1 %"),
+        ([np.full((64, 64), np.nan)], "map 1: .* missing"),
+        ([surface(2), rc.Surface(surface(2).heights, (1e-6, 1e-6), False)], "map 2: its edges .* give boundary"),
+        ("nowhere.gsf", "maps, map 1: nowhere.gsf"),
+        ("one.gsf;;two.gsf", "has an empty name"),
+    ],
+)
+def test_maps_that_are_refused(maps, message):
+    words = {"pressure": "1GPa", "E": "210GPa", "nu": 0.3, "unit": "m"}
+    refused(rc.RoughContactError, message, rc.budget, surface(1), {"maps": maps}, **words)
+
+
+def test_maps_have_units_as_the_surface_and_no_mask():
+    bare, other = surface(1).heights, rc.Surface(surface(2).heights, (1e-6, 1e-6), True, unit="m")
+    words = {"pressure": 1e9, "modulus": 100e9, "boundary": "periodic", "pitch": 1e-6}
+    refused(rc.ArgumentError, "must both have units", rc.budget, bare, {"maps": other}, **words)
+    refused(rc.ArgumentError, "mask is of the first", rc.budget, bare, {"maps": other}, mask=bare < 0, **words)
+    refused(FileNotFoundError, "nowhere.gsf", rc.budget, bare, {"maps": ["nowhere.gsf"]}, **words)
+
+
 def test_the_solver_brings_its_proven_interval():
     words = {"approach": "0.4um", "tol": 1e-3, **STEEL}
     found, result = rc.budget(surface(1), "E=1%", **words), rc.solve(surface(1), stiffness=2, **words)
@@ -215,6 +272,8 @@ def test_what_is_refused(sources, words, message):
 @pytest.mark.skipif(program() is None, reason="the command is not beside the package")
 def test_command_and_report_say_what_dominates(tmp_path):
     np.save(tmp_path / "rough.npy", surface(1).heights)
+    np.save(tmp_path / "other.npy", surface(2).heights)
+    sources = f"noise=5nm,E=5%,maps={tmp_path / 'other.npy'}"
     words = [
         "--pitch",
         "1um",
@@ -229,9 +288,9 @@ def test_command_and_report_say_what_dominates(tmp_path):
         "--pressure",
         "0.5GPa,1GPa",
     ]
-    asked = [program(), "solve", str(tmp_path / "rough.npy"), *words, "--budget", "noise=5nm,E=5%"]
+    asked = [program(), "solve", str(tmp_path / "rough.npy"), *words, "--budget", sources]
     printed = subprocess.run([*asked, "--out", str(tmp_path / "run")], check=True, capture_output=True, text=True).stdout
-    found = rc.budget(surface(1), "noise=5nm,E=5%", pressure="1GPa", **STEEL)
+    found = rc.budget(surface(1), {"noise": "5nm", "E": "5%", "maps": [surface(2)]}, pressure="1GPa", **STEEL)
     assert "".join(f"\n  {each}" for each in map(str, found.quantities)) in printed
     saved = json.loads((tmp_path / "run/summary.json").read_text())["budget"]
     assert saved["area"]["contributions"]["noise"]["shift"] == pytest.approx(found["area"]["noise"].shift)
@@ -245,8 +304,9 @@ def test_command_and_report_say_what_dominates(tmp_path):
 
     content = collect(tmp_path / "run")
     assert any("Area" in each and "of the variance" in each for each in wording.sentences(content))
-    assert [row[0] for row in wording.budget_rows(content)] == ["noise 5nm", "E 5%", "solver", "combined", "coverage"]
-    assert "--budget noise=5nm,E=5%" in content.command
+    assert [row[0] for row in wording.budget_rows(content)][:3] == ["noise 5nm", "E 5%", f"maps {tmp_path / 'other.npy'}"]
+    assert [row[0] for row in wording.budget_rows(content)][3:] == ["solver", "combined", "coverage"]
+    assert f"--budget {sources}" in content.command
 
 
 def test_the_range_of_a_leak_begins_at_0_if_it_may_close():
