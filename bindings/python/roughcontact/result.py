@@ -101,7 +101,7 @@ class Result(Answer):
     contact_area: float
     #: the functional that is minimised [force length]
     energy: float
-    #: dW/dd [force/length]; NaN where option stiffness is 0
+    #: dW/dd [force/length]; NaN where option stiffness is 0, or its solve lowers no residual
     stiffness: float
     kkt_primal: float
     kkt_dual: float
