@@ -10,8 +10,9 @@ root=$(cd "$(dirname "$0")/.." && pwd)
 python=$("$root/scripts/docs-venv.sh" "$build")
 site=$build/site
 rm -rf "$site"
-mkdir -p "$site/source"
+mkdir -p "$site/source/bindings/python"
 cp -r "$root"/*.md "$root"/CITATION.cff "$root"/{backends,docs,examples,fuzz,include,integrations,packaging,src} "$site/source"
+cp -r "$root"/bindings/python/gpl "$site/source/bindings/python"
 "$root/scripts/reference.sh" "$site/doxygen" >/dev/null
 export PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$root/bindings/python ROUGHCONTACT_LIBRARY=$build/lib/libroughcontact.so
 export RC_DOXYGEN_XML=$site/doxygen/xml

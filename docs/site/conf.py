@@ -124,6 +124,8 @@ troubleshooting
 ../SECURITY
 development/*
 ../packaging/README
+../bindings/python/gpl/README
+../bindings/python/gpl/LICENSE
 ../backends/*/README
 ../src/solvers/haar_cg/README
 ../src/solvers/haar_cg/constants
