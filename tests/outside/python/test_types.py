@@ -34,7 +34,7 @@ def test_the_package(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "line, says", [("", ""), ('upper = "much"', "Incompatible types"), ("rc.solve(surface, tol=1, load=[])", "arg-type")]
+    "line, says", [("", ""), ('upper = "much"', "Incompatible types"), ("rc.solve(surface, every=[])", "arg-type")]
 )
 def test_a_program(tmp_path, line, says):
     (tmp_path / "user.py").write_text(USER + line + "\n")
