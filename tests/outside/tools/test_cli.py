@@ -52,6 +52,14 @@ class Output(CommandTest):
     def hertz(self, *arguments, **settings):
         return self.solve(self.npy(paraboloid(24)), "--pitch", "1e-6", "--unit", "m", "--modulus", "1e9", *arguments, **settings)
 
+    def test_without_a_boundary_a_map_is_a_sample(self):
+        """Solved as it is remarked; a shape is a whole body."""
+        bare = ["solve", self.npy(rough()), "--pitch", "1um", "--unit", "m", "--modulus", "1GPa", "--load", "1mN"]
+        for given, boundary, remarked in (([], "periodic", True), (["--shape", "sphere:R=1mm"], "free", False)):
+            done = self.run_command(*bare, *given)
+            self.assertIn(f", {boundary} boundary", done.stdout)
+            self.assertEqual("note: boundary periodic" in done.stderr, remarked)
+
     def test_table_has_a_row_a_step(self):
         done = self.hertz("--approach", "1e-8,2e-8")
         lines = done.stdout.splitlines()
