@@ -118,10 +118,10 @@ class Creeps final : public Property {
   std::vector<StepAnswer> kept_;
 };
 
-constexpr std::array kinds{Kind{"creep", 4, 2, 0.7, 0, made<Creeps>}};
+constexpr std::array kinds_of_creep{Kind{"creep", 4, 2, 0.7, 0, made<Creeps>}};
 
 }  // namespace
 
-std::span<const Kind> properties_of_creep() { return kinds; }
+std::span<const Kind> properties_of_creep() { return kinds_of_creep; }
 
 }  // namespace scenes
