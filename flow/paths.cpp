@@ -22,7 +22,7 @@ class Border {
     cells_[level].push_back(cell);
     highest_ = std::min(highest_, level);
   }
-  // Of the highest level; `outside`: none is left.
+  // Takes a cell of the highest level; returns `outside` if no cell waits.
   std::int64_t pop() {
     for (; highest_ < cells_.size(); ++highest_) {
       if (std::size_t& next = next_[highest_]; next < cells_[highest_].size()) return cells_[highest_][next++];

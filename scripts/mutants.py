@@ -8,8 +8,8 @@ BUILD: a build folder of this tree with lib/libroughcontact.a (target roughconta
 sign, product, constant, minimum, condition and single statement is changed alone, and tests/mutants must fail. scripts/switched.py
 puts nearly all mutants into one program; the others are compiled one by one, and so is every unexpected survivor. Mutants that do not
 compile count for nothing. Those that none of these tests can tell stand in tests/mutants/equivalents.txt, with the reason:
-file | function | change, and at which of its places in the function | reason. An entry that no longer occurs, or that a test does
-fail on, is an error, too. --only: mutants whose name contains the text. --cover: chooses the figures of tests/mutants/figures.txt
+file | function | change, and at which of its places in the function | reason. It is an error if an entry matches no mutant, or if
+a test fails on its mutant. --only: mutants whose name contains the text. --cover: chooses the figures of tests/mutants/figures.txt
 anew, so that they notice each mutant that all figures notice. Exit status: 0 if none survives.
 """
 

@@ -14,7 +14,7 @@ rc_status Operator::subset_by_products(std::span<const std::int64_t> a, const do
   constexpr double attained = 1e-15;    // least relative residual that products in double precision can reach
   constexpr double progress = 0.9;      // the residual falls where it is below this share of the least one before
   constexpr std::size_t patience = 39;  // iterations without such a fall, once the answer is acceptable
-  // Before: in exact arithmetic residuals may fall at the last point's iteration alone, and round-off delays it.
+  // Before that more: the residual of some H falls only in the last of m iterations, and round-off delays it further.
   constexpr std::size_t for_each_point = 2, most_patience = 1000;
   constexpr double acceptable = 1e-11;  // above this, stopping early is a failure
   const std::size_t m = a.size(), n = static_cast<std::size_t>(trial_.n);

@@ -11,7 +11,7 @@ namespace mutants {
 
 class Figures {
  public:
-  // Of these names alone; all if it is empty.
+  // wanted: names of the figures to compute; empty: all.
   explicit Figures(std::set<std::string> wanted) : wanted_(std::move(wanted)) {}
   // Whether a section that begins with this is wanted; the others need not be computed.
   bool wants(const std::string& section) const {

@@ -12,7 +12,7 @@ struct Columns {
 
   /** Leaves out some of the columns. The stiffness is asked for with its interval, if at all. */
   void leave_out(Random& random);
-  /** Those with which a step has the wanted columns and no more: factors that a stiffness leaves may serve the next step. */
+  /** Options of a single step that computes the same columns: the factor of a stiffness may serve the next step. */
   pairs::Settings options(const Scene& scene) const;
   /** Points a request's columns at these arrays, those that are wanted. */
   rc_columns request();

@@ -1,4 +1,4 @@
-// What an answer costs, counted in products with H.
+// The number of products with H that an answer takes, against that of polonsky-keer.
 #include <array>
 
 #include "property.h"

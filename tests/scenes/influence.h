@@ -7,7 +7,7 @@ namespace scenes {
 
 /** Relative error that products of the library may have: registry.h promises coefficients to that. */
 constexpr Real double_product = 1e-12L;
-/** Of those by backend "split", as backends/split/scheme.h promises: relative to the largest product of the pressures' sizes. */
+/** Error of the products of backend "split", relative to the largest product of absolute pressures (backends/split/scheme.h). */
 constexpr Real split_product = 1e-11L;
 
 /** [nx*ny] deflection at each offset from a cell under unit pressure. Half-spaces only. */

@@ -1,4 +1,4 @@
-// What a path writes and shows its callback; that its steps have the bits of single ones is a property of scenes.
+// A path writes every output and shows every step to its callback. Scenes compare its steps with single steps.
 #include <roughcontact/history.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What a result says: it is written in full whatever it held before, and its numbers add up.
+// A result is overwritten in full, and its numbers add up.
 #include <cmath>
 #include <cstring>
 

@@ -1,4 +1,4 @@
-// What a solved node of a law proves.
+// The bounds of pressure and slope that a solved node of a law proves.
 #include <cmath>
 #include <cstdint>
 
