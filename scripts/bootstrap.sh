@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # bootstrap.sh [--tests] [--release]: installs the Debian packages of scripts/packages.txt that are not there yet; with --tests also
 # those of packages-tests.txt, without which some tests skip; with --release those of packages-release.txt, for scripts/release.sh.
-# A line may have several names: the first one that the system has is installed.
+# A line may have several names: the first one that the system has is installed. What it does not have is named, and the tests that
+# want it skip; the build itself needs all of packages.txt.
 set -euo pipefail
 lists=("$(dirname "$0")/packages.txt")
 for option in "$@"; do lists+=("$(dirname "$0")/packages-${option#--}.txt"); done
@@ -20,12 +21,20 @@ as_root=()
 "${as_root[@]}" apt-get update -qq
 chosen=()
 for line in "${missing[@]}"; do
-  name=${line%% *}
+  name=''
   for package in $line; do
-    if apt-cache show "$package" >/dev/null 2>&1; then name=$package; break; fi
+    if [[ $(apt-cache policy "$package") == *"Candidate: "[^\(]* ]]; then name=$package; break; fi
   done
-  chosen+=("$name")
+  if [ -n "$name" ]; then
+    chosen+=("$name")
+  elif grep -qxF "$line" "${lists[0]}"; then
+    echo "this system has no package ${line// / or }" >&2
+    exit 1
+  else
+    echo "this system has no package ${line// / or }: left out"
+  fi
 done
+[ ${#chosen[@]} -gt 0 ] || exit 0
 echo "installing ${chosen[*]}"
 # Which libraries serve BLAS and LAPACK: name, path.
 blas_of_this_machine() { update-alternatives --get-selections | awk '$1 ~ /^lib(blas|lapack)\.so\.3-/ { print $1, $3 }'; }
