@@ -12,31 +12,46 @@ namespace {
 constexpr std::size_t most_taken = 64 << 20;  // bytes
 }
 
-// Lets a later allocation fail each time, until a run succeeds.
+// Lets a later allocation fail each time, until a run succeeds. After a failure the operator works on. A backend that has coarse
+// grids gets a grid that needs them.
 void any_allocation_may_fail(const rc_backend& backend) {
 #ifdef RC_CONTRACT_SUITESPARSE
   let_dependencies_use_operator_new();
 #endif
-  for (std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC}) {
-    if (!(backend.caps & (boundary == RC_BOUNDARY_FREE ? RC_CAP_FREE : RC_CAP_PERIODIC))) continue;
-    const rc_system system = halfspace(boundary, 9, 8, 1.0, 1.0);
-    const Index domain{3, 4, 17, 30};
-    const Vector x(4, 1.0);
-    for (const char* threads : {"1", "3"}) {
-      StandInHost host(backend);
-      host.set("threads", threads);
-      const rc_operator_spec spec = spec_of(system, host);
-      Vector y(72);
-      bool failed = true;
-      for (std::int64_t k = 1; failed; ++k) {
-        assert_true(k < 1000);
-        support::fail_allocation(k);
-        const rc_status status = status_of_operations(backend, host, spec, domain, x.data(), y.data());
-        failed = support::allocation_failed();
-        support::fail_allocation(0);
-        assert_int_equal(status, failed ? RC_ERR_MEMORY : RC_OK);
-        if (failed) assert_true(StandInHost::message().find(backend.name) == 0);
-      }
+  struct Grid {
+    std::int32_t boundary;
+    std::int64_t nx, ny;
+    Index domain;
+    const char* threads;
+  };
+  std::vector<Grid> grids;
+  for (const char* threads : {"1", "3"})
+    for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC})
+      if (backend.caps & (boundary == RC_BOUNDARY_FREE ? RC_CAP_FREE : RC_CAP_PERIODIC))
+        grids.push_back({boundary, 12, 9, range(0, 108), threads});
+  const bool coarse = backend.caps & RC_CAP_SCREEN;
+  if (coarse) grids.push_back({RC_BOUNDARY_FREE, 200, 160, {3, 200 * 160 - 1}, "1"});
+  for (const Grid& grid : grids) {
+    const rc_system system = halfspace(grid.boundary, grid.nx, grid.ny, 1.0, 1.0);
+    StandInHost host(backend);
+    host.set("threads", grid.threads);
+    if (coarse) host.set("split.spacing", "16");
+    const rc_operator_spec spec = spec_of(system, host);
+    Walk walk(grid.domain, grid.nx * grid.ny);
+    bool failed = true;
+    for (std::int64_t k = 1; failed; k += coarse ? 1 + k / 8 : 1) {
+      assert_true(k < 5000);
+      void* self = nullptr;
+      support::fail_allocation(k);
+      rc_status status = backend.create(&host, &spec, &self);
+      if (status == RC_OK) status = walk(backend, self);
+      failed = support::allocation_failed();
+      support::fail_allocation(0);
+      assert_int_equal(status, failed ? RC_ERR_MEMORY : RC_OK);
+      if (failed) assert_true(StandInHost::message().find(backend.name) == 0);
+      if (!self) continue;
+      assert_int_equal(walk(backend, self), RC_OK);
+      backend.destroy(self);
     }
   }
 }
@@ -48,10 +63,9 @@ void impossible_sizes_are_refused(const rc_backend& backend) {
     StandInHost host(backend);
     const rc_system system = halfspace(RC_BOUNDARY_FREE, side, side, 1.0, 1.0);
     const Index corners{0, side * side - 1};
-    const Vector x(2, 1.0);
-    Vector y(2);
+    Walk walk(corners, 2);
     support::fail_allocation(0);
-    const rc_status status = status_of_operations(backend, host, spec_of(system, host), corners, x.data(), y.data());
+    const rc_status status = walk.from_creation(backend, host, spec_of(system, host));
     assert_true(status == RC_ERR_MEMORY || status == RC_ERR_SHAPE);
     assert_true(StandInHost::message().find(backend.name) == 0);
     assert_true(support::largest_allocation() <= most_taken);

@@ -18,7 +18,6 @@ void caps_agree_with_functions(const rc_backend&);
 
 // products.cpp
 void products_agree_with_the_matrix(const rc_backend&);
-void operator_is_linear_and_symmetric(const rc_backend&);
 void rebinding_equals_a_fresh_operator(const rc_backend&);
 void constant_vector_has_the_zero_mode(const rc_backend&);
 void nan_is_not_hidden(const rc_backend&);
@@ -40,6 +39,7 @@ void operators_work_side_by_side(const rc_backend&);
 // subsets.cpp
 void subset_solves_its_equations(const rc_backend&);
 void subset_after_changes_equals_a_fresh_solve(const rc_backend&);
+void matrices_that_are_not_definite_are_reported(const rc_backend&);
 
 // shifted.cpp
 void shifted_solves_its_equations(const rc_backend&);

@@ -1,5 +1,3 @@
-#include <numeric>
-
 #include "cases.h"
 #include "fixtures.h"
 #include "support/cmocka.hpp"
@@ -15,7 +13,7 @@ void host_failure_is_passed_on(const rc_backend& backend) {
     const Vector x(3, 1.0);
     Vector y(20);
     host.answer_with(RC_ERR_NUMERIC);
-    assert_int_equal(status_of_operations(backend, host, spec_of(system, host), domain, x.data(), y.data()), RC_ERR_NUMERIC);
+    assert_int_equal(Walk(domain, 20).from_creation(backend, host, spec_of(system, host)), RC_ERR_NUMERIC);
 
     // An operator that failed to bind, or in field(), can be used again.
     void* self = nullptr;
@@ -34,9 +32,7 @@ void host_failure_is_passed_on(const rc_backend& backend) {
     assert_int_equal(backend.apply(self, x.data(), y.data()), RC_OK);
     assert_true(largest_difference({y[0], y[1], y[2]}, matrix.product(domain, domain, x)) <= 1e-13 * matrix.norm());
     assert_int_equal(backend.field(self, x.data(), y.data()), RC_OK);
-    Index all(20);
-    std::iota(all.begin(), all.end(), 0);
-    assert_true(largest_difference(y, matrix.product(all, domain, x)) <= 1e-13 * matrix.norm());
+    assert_true(largest_difference(y, matrix.product(range(0, 20), domain, x)) <= 1e-13 * matrix.norm());
     backend.destroy(self);
   }
 }

@@ -28,12 +28,23 @@ void check(rc_status status) {
 
 }  // namespace
 
+rc_system callers_matrix(const Vector& entries, std::int64_t n, std::int64_t ld) {
+  rc_system system = halfspace(RC_BOUNDARY_FREE, n, 1, 1.0, 1.0);
+  system.op = RC_OPERATOR_DENSE;
+  system.dense = entries.data();
+  system.dense_ld = ld;
+  return system;
+}
+
 Problem::Problem(std::uint64_t cap, std::int64_t nx, std::int64_t ny, double hx, double hy, double zero_mode)
     : zero_mode_(zero_mode), system_(halfspace(boundary_of(cap), nx, ny, hx, hy)), matrix_(matrix_of(system_, zero_mode)) {
   if (cap == RC_CAP_DENSE_INPUT) {
-    system_.op = RC_OPERATOR_DENSE;
-    system_.dense = matrix_.row(0);
-    system_.dense_ld = matrix_.size();
+    const std::int64_t n = matrix_.size(), ld = n + 7;
+    rows_.assign(static_cast<std::size_t>(n * ld), std::numeric_limits<double>::quiet_NaN());
+    for (std::int64_t i = 0; i < n; ++i) std::copy_n(matrix_.row(i), n, rows_.begin() + i * ld);
+    system_ = callers_matrix(rows_, n, ld);
+    system_.nx = nx;
+    system_.ny = ny;
   } else if (cap == RC_CAP_CALLBACK) {
     system_.op = RC_OPERATOR_CALLBACK;
     system_.apply = multiply;
@@ -41,9 +52,11 @@ Problem::Problem(std::uint64_t cap, std::int64_t nx, std::int64_t ny, double hx,
   }
 }
 
-Index Problem::all() const {
-  Index index(static_cast<std::size_t>(matrix_.size()));
-  std::iota(index.begin(), index.end(), 0);
+Index Problem::all() const { return range(0, matrix_.size()); }
+
+Index range(std::int64_t first, std::int64_t end) {
+  Index index(static_cast<std::size_t>(end - first));
+  std::iota(index.begin(), index.end(), first);
   return index;
 }
 
@@ -56,10 +69,10 @@ void for_each_problem(const rc_backend& backend, std::int64_t nx, std::int64_t n
   }
 }
 
-Operator::Operator(const rc_backend& backend, StandInHost& host, const rc_system& system)
+Operator::Operator(const rc_backend& backend, StandInHost& host, const rc_system& system, const std::string& kernel)
     : backend_(backend),
       system_(system),
-      kernel_(system.op == RC_OPERATOR_HALFSPACE ? kernel_name(system.boundary) : ""),
+      kernel_(kernel.empty() && system.op == RC_OPERATOR_HALFSPACE ? kernel_name(system.boundary) : kernel),
       team_(host.threads()),
       spec_{sizeof(rc_operator_spec), &system_, kernel_.c_str(), host.options(), &team_, nullptr} {
   check(backend.create(&host, &spec_, &self_));
@@ -113,6 +126,8 @@ double Operator::norm() {
   return norm;
 }
 
+void Operator::screen(const Vector& x, rc_screen& request) { check(backend_.screen(self_, x.data(), &request)); }
+
 std::vector<Index> domains(std::int64_t nx, std::int64_t ny, unsigned seed) {
   std::mt19937 generator(seed);
   std::vector<Index> all;
@@ -139,25 +154,54 @@ rc_operator_spec spec_of(const rc_system& system, const StandInHost& host) {
   return {sizeof(rc_operator_spec), &system, kernel_name(system.boundary), host.options(), host.alone(), nullptr};
 }
 
-rc_status status_of_operations(const rc_backend& backend, const rc_host& host, const rc_operator_spec& spec, const Index& domain,
-                               const double* x, double* y) {
+Walk::Walk(const Index& domain, std::int64_t points)
+    : domain_(domain), half_(domain), x_(domain.size(), 1.0), single_(domain.size(), 1.0F), product_(domain.size()) {
+  const auto n = static_cast<std::int64_t>(domain.size());
+  half_.resize(domain.size() / 2 + 1);
+  Index fewer = range(n / 10, n / 10 + n / 2), other;
+  sets_ = {fewer};
+  std::erase_if(fewer, [](std::int64_t i) { return i % 20 == 0; });
+  for (std::int64_t i = 0; i + 1 < n; i += 1 + n / 4) other.push_back(i);
+  for (const Index& set : {fewer, range(0, n - 1), other}) sets_.push_back(set);
+  std::erase_if(sets_, [](const Index& set) { return set.empty(); });
+  gap_.assign(static_cast<std::size_t>(points), 0.0);
+  y_ = gap_;
+}
+
+rc_status Walk::operator()(const rc_backend& backend, void* self) {
+  const rc_domain all{sizeof(rc_domain), static_cast<std::int64_t>(domain_.size()), domain_.data(), 0.0},
+      part{sizeof(rc_domain), static_cast<std::int64_t>(half_.size()), half_.data(), 0.0};
+  const double* const x = x_.data();
+  double* const y = y_.data();
+  rc_status status = backend.bind(self, &all);
+  if (status == RC_OK) status = backend.apply(self, x, y);
+  if (status == RC_OK) status = backend.field(self, x, y);
+  if (status == RC_OK && backend.apply_float) status = backend.apply_float(self, single_.data(), product_.data());
+  for (const Index& set : sets_)
+    if (status == RC_OK && backend.subset) status = backend.subset(self, static_cast<std::int64_t>(set.size()), set.data(), x, y);
+  if (status == RC_OK && backend.shifted) status = backend.shifted(self, 0.5, x, y);
+  if (status == RC_OK && backend.norm) status = backend.norm(self, y);
+  if (status == RC_OK && backend.screen) {
+    rc_screen request{.struct_size = sizeof(rc_screen),
+                      .approach = 1.0,
+                      .unit = 1.0,
+                      .undeformed_gap = {gap_.data(), RC_NATIVE, 0, nullptr},
+                      .y = y,
+                      .room = 4,
+                      .found = found_,
+                      .depth = depth_};
+    status = backend.screen(self, x, &request);
+  }
+  if (status == RC_OK) status = backend.bind(self, &part);
+  if (status == RC_OK) status = backend.apply(self, x, y);
+  return status;
+}
+
+rc_status Walk::from_creation(const rc_backend& backend, const rc_host& host, const rc_operator_spec& spec) {
   void* self = nullptr;
   rc_status status = backend.create(&host, &spec, &self);
   if (status != RC_OK) return status;
-  const rc_domain bound{sizeof(rc_domain), static_cast<std::int64_t>(domain.size()), domain.data(), 0.0};
-  status = backend.bind(self, &bound);
-  if (status == RC_OK) status = backend.apply(self, x, y);
-  if (status == RC_OK) status = backend.field(self, x, y);
-  if (status == RC_OK && backend.apply_float) {
-    float in[8], out[8];  // on the stack, for allocations may be failing; no caller has a larger domain
-    assert_true(domain.size() <= std::size(in));
-    std::transform(x, x + domain.size(), in, [](double value) { return static_cast<float>(value); });
-    status = backend.apply_float(self, in, out);
-  }
-  const std::int64_t first = 0;
-  if (status == RC_OK && backend.subset) status = backend.subset(self, 1, &first, x, y);
-  if (status == RC_OK && backend.shifted) status = backend.shifted(self, 0.5, x, y);
-  if (status == RC_OK && backend.norm) status = backend.norm(self, y);
+  status = (*this)(backend, self);
   backend.destroy(self);
   return status;
 }

@@ -49,7 +49,6 @@ bool claims_thread_invariance(const rc_backend& backend) { return backend.caps &
 const Case cases[] = {
     RC_CASE(caps_agree_with_functions, always),
     RC_CASE(products_agree_with_the_matrix, always),
-    RC_CASE(operator_is_linear_and_symmetric, always),
     RC_CASE(rebinding_equals_a_fresh_operator, always),
     RC_CASE(forgetting_equals_a_fresh_operator, can_forget),
     RC_CASE(constant_vector_has_the_zero_mode, takes_periodic),
@@ -63,6 +62,7 @@ const Case cases[] = {
     RC_CASE(operators_work_side_by_side, takes_grids),
     RC_CASE(subset_solves_its_equations, has_subset),
     RC_CASE(subset_after_changes_equals_a_fresh_solve, has_subset),
+    RC_CASE(matrices_that_are_not_definite_are_reported, has_subset),
     RC_CASE(shifted_solves_its_equations, has_shifted),
     RC_CASE(shifted_does_not_depend_on_what_was_asked_before, has_shifted),
     RC_CASE(norm_is_that_of_the_matrix, has_norm),

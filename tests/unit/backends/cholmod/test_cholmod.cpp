@@ -1,4 +1,4 @@
-// Near field, limits and rows added and deleted in the cholmod backend, and what it asks of the BLAS.
+// Near field and limits of the cholmod backend, and what it asks of the BLAS.
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <numeric>
-#include <random>
 #include <string>
 #include <thread>
 #include <vector>
@@ -122,8 +120,7 @@ void near_field_saves_iterations(void**) {
 void near_field_works_where_a_full_factor_does_not_fit(void**) {
   constexpr std::int64_t side = 200, n = side * side;
   const rc_system system = contract::halfspace(RC_BOUNDARY_FREE, side, side, 1.0, 1.0);
-  Index all(n);
-  std::iota(all.begin(), all.end(), 0);
+  const Index all = contract::range(0, n);
   const rc_domain domain{sizeof(rc_domain), n, nullptr, 0.0};
   const Vector b(n, 1.0);
   Vector x(n);
@@ -165,69 +162,12 @@ void a_near_field_takes_memory_that_grows_with_the_points(void**) {
   assert_true(session.common()->memory_usage < 128u << 20);
 }
 
-// A set that changes by single rows gives what a fresh factor gives, and is not factored anew for it.
-void rows_are_added_and_deleted(void**) {
-  StandInHost host(backend());
-  const rc_system system = contract::halfspace(RC_BOUNDARY_FREE, 20, 20, 1.0, 1.0);
-  const contract::Problem problem(RC_CAP_FREE, 20, 20, 1.0, 1.0, 0.0);
-  contract::Operator op(backend(), host, system);
-  op.bind(problem.all());
-  std::mt19937 generator(5);
-  std::vector<bool> in(400, false);
-  for (std::size_t i = 0; i < 400; ++i) in[i] = generator() % 2;
-  for (int step = 0; step < 150; ++step) {
-    for (unsigned change = 0; change < (step % 30 == 29 ? 150 : generator() % 8); ++change) {
-      const std::size_t i = generator() % 400;
-      in[i] = !in[i];
-    }
-    Index points;
-    for (std::int64_t i = 0; i < 400; ++i)
-      if (in[static_cast<std::size_t>(i)]) points.push_back(i);
-    const Vector b = contract::random_vector(points.size(), static_cast<unsigned>(step));
-    assert_solves(problem, points, 0.0, b, op.subset(points, b));
-  }
-}
-
-void indefinite_matrices_are_reported(void**) {
-  for (const char* radius : {"0", "2"}) {
-    StandInHost host(backend());
-    host.set("cholmod.near_field", radius);
-    Vector H(900, 0.0);
-    for (std::size_t i = 0; i < 30; ++i) H[31 * i] = i == 17 ? -0.25 : 1.0;
-    rc_system system = contract::halfspace(RC_BOUNDARY_FREE, 30, 1, 1.0, 1.0);
-    system.op = RC_OPERATOR_DENSE;
-    system.dense = H.data();
-    system.dense_ld = 30;
-    const rc_operator_spec spec{sizeof(rc_operator_spec), &system, "", host.options(), host.alone(), nullptr};
-    void* self = nullptr;
-    const rc_domain domain{sizeof(rc_domain), 30, nullptr, 0.0};
-    assert_int_equal(backend().create(&host, &spec, &self), RC_OK);
-    assert_int_equal(backend().bind(self, &domain), RC_OK);
-    Index all(30);
-    std::iota(all.begin(), all.end(), 0);
-    Vector b(30, 1.0), x(30);
-    assert_int_equal(backend().subset(self, 30, all.data(), b.data(), x.data()), RC_ERR_NUMERIC);
-    assert_true(StandInHost::message().find("cholmod: the ") == 0);
-    assert_true(StandInHost::message().find("positive definite") != std::string::npos);
-    assert_int_equal(backend().subset(self, 15, all.data(), b.data(), x.data()), RC_OK);
-    assert_true(std::abs(x[3] - 1.0) < 1e-14);
-    assert_int_equal(backend().shifted(self, 1.0, b.data(), x.data()), RC_OK);
-    assert_true(std::abs(x[17] - 4.0 / 3.0) < 1e-14);
-    // One row at a time.
-    assert_int_equal(backend().subset(self, 17, all.data(), b.data(), x.data()), RC_OK);
-    assert_int_equal(backend().subset(self, 18, all.data(), b.data(), x.data()), RC_ERR_NUMERIC);
-    assert_int_equal(backend().subset(self, 17, all.data(), b.data(), x.data()), RC_OK);
-    backend().destroy(self);
-  }
-}
-
 // Asked between rows of the near field and between iterations.
 void a_near_field_stops_when_it_is_asked_to(void**) {
   StandInHost host(backend());
   host.set("cholmod.near_field", "2");
   const rc_system system = contract::halfspace(RC_BOUNDARY_FREE, 12, 12, 1.0, 1.0);
-  Index all(144);
-  std::iota(all.begin(), all.end(), 0);
+  const Index all = contract::range(0, 144);
   const Vector b(144, 1.0);
   Vector x(144);
   static int asked, allowed;
@@ -310,8 +250,6 @@ int main() {
       cmocka_unit_test(near_field_works_where_a_full_factor_does_not_fit),
       cmocka_unit_test(a_near_field_takes_memory_that_grows_with_the_points),
       cmocka_unit_test(a_near_field_stops_when_it_is_asked_to),
-      cmocka_unit_test(rows_are_added_and_deleted),
-      cmocka_unit_test(indefinite_matrices_are_reported),
   };
   return cmocka_run_group_tests_name("cholmod", tests, nullptr, nullptr);
 }

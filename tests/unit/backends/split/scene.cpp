@@ -4,12 +4,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
-#include <limits>
-#include <numeric>
 
 #include "kernel/kernel.h"
-#include "support/cmocka.hpp"
-#include "support/unit_system.h"
 
 extern "C" rc_status rc_builtin_split(const rc_host*, const rc_plugin**);
 
@@ -20,24 +16,6 @@ const rc_backend& backend() {
   if (rc_builtin_split(nullptr, &plugin) != RC_OK) std::abort();
   return *plugin->backends[0];
 }
-
-namespace {
-
-rc_system system_of(const Grid& grid) {
-  rc_system system = support::unit_system();
-  system.boundary = RC_BOUNDARY_FREE;
-  system.nx = grid.nx;
-  system.ny = grid.ny;
-  system.hx = grid.hx;
-  system.hy = grid.hy;
-  return system;
-}
-
-void check(rc_status status) {
-  if (status != RC_OK) fail_msg("status %d: %s", static_cast<int>(status), contract::StandInHost::message().c_str());
-}
-
-}  // namespace
 
 Reference::Reference(const Grid& grid) : grid_(grid), table_(static_cast<std::size_t>(grid.points())) {
   rc::kernel::coefficients(*rc::kernel::find(grid.kernel), grid.hx, grid.hy, grid.nx, grid.ny, table_.data());
@@ -58,41 +36,32 @@ Vector Reference::product(const Index& points, const Index& domain, const Vector
   return y;
 }
 
-Operator::Operator(const Grid& grid, const std::string& spacing, const std::string& threads)
-    : host_(backend()), system_(system_of(grid)), kernel_(grid.kernel), team_(std::stoll(threads)) {
-  host_.set("split.spacing", spacing);
-  spec_ = {sizeof(rc_operator_spec), &system_, kernel_.c_str(), host_.options(), &team_, nullptr};
-  check(backend().create(&host_, &spec_, &self_));
+Operator::Operator(const Grid& grid, const char* spacing, const char* threads)
+    : Host(spacing, threads),
+      contract::Operator(backend(), host, contract::halfspace(RC_BOUNDARY_FREE, grid.nx, grid.ny, grid.hx, grid.hy), grid.kernel),
+      points_(grid.points()) {}
+
+Vector Operator::every_product(const Vector& x, bool float_first) {
+  Vector single;
+  if (float_first) single = apply_float(x);
+  Vector all = apply(x);
+  if (!float_first) single = apply_float(x);
+  const Vector gap(static_cast<std::size_t>(points_), 0.5);
+  Vector y(x.size()), depth(100);
+  Index found(100);
+  rc_screen request{.struct_size = sizeof(rc_screen),
+                    .approach = 20.0,
+                    .unit = 1.0,
+                    .undeformed_gap = {gap.data(), RC_NATIVE, 0, nullptr},
+                    .y = y.data(),
+                    .room = 100,
+                    .found = found.data(),
+                    .depth = depth.data()};
+  screen(x, request);
+  y.push_back(static_cast<double>(request.n_found));
+  for (const Vector& values : {single, y, depth, field(x)}) all.insert(all.end(), values.begin(), values.end());
+  return all;
 }
-
-Operator::~Operator() { backend().destroy(self_); }
-
-void Operator::bind(const Index& domain) {
-  domain_ = domain;
-  const rc_domain bound{sizeof(rc_domain), static_cast<std::int64_t>(domain_.size()), domain_.data(), 0.0};
-  check(backend().bind(self_, &bound));
-}
-
-Vector Operator::apply(const Vector& x) {
-  Vector y(domain_.size(), std::numeric_limits<double>::quiet_NaN());
-  check(backend().apply(self_, x.data(), y.data()));
-  return y;
-}
-
-Floats Operator::apply_float(const Vector& x) {
-  const Floats single(x.begin(), x.end());
-  Floats y(domain_.size(), std::numeric_limits<float>::quiet_NaN());
-  check(backend().apply_float(self_, single.data(), y.data()));
-  return y;
-}
-
-Vector Operator::field(const Vector& x) {
-  Vector y(static_cast<std::size_t>(system_.nx * system_.ny), std::numeric_limits<double>::quiet_NaN());
-  check(backend().field(self_, x.data(), y.data()));
-  return y;
-}
-
-void Operator::screen(const Vector& x, rc_screen& request) { check(backend().screen(self_, x.data(), &request)); }
 
 double uniform(Random& random) { return static_cast<double>(random()) / 4294967296.0; }
 
@@ -124,11 +93,7 @@ Vector pressures(const Index& domain, Random& random) {
   return x;
 }
 
-Index every_point(const Grid& grid) {
-  Index index(static_cast<std::size_t>(grid.points()));
-  std::iota(index.begin(), index.end(), 0);
-  return index;
-}
+Index every_point(const Grid& grid) { return contract::range(0, grid.points()); }
 
 Index some_of(const Index& points, std::size_t count) {
   Index some;
@@ -142,23 +107,6 @@ double largest(const Vector& values) {
   for (const double value : values) result = std::max(result, std::abs(value));
   return result;
 }
-
-namespace {
-
-template <class Values> double difference(const Values& a, const Vector& b) {
-  if (a.size() != b.size()) return std::numeric_limits<double>::infinity();
-  double result = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double off = std::abs(static_cast<double>(a[i]) - b[i]);
-    if (!(off <= result)) result = off;  // a NaN stays
-  }
-  return result;
-}
-
-}  // namespace
-
-double largest_difference(const Vector& a, const Vector& b) { return difference(a, b); }
-double largest_difference(const Floats& a, const Vector& b) { return difference(a, b); }
 
 double effort() {
   const char* quick = std::getenv("RC_TEST_QUICK");
