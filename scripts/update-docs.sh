@@ -4,8 +4,8 @@ set -euo pipefail
 [ $# = 1 ] || { echo "usage: $0 BUILD"; exit 1; }
 build=$(cd "$1" && pwd)
 cd "$(dirname "$0")/.."
-cmake --build "$build" -j "$(nproc)" --target test_errors docs_options rcb_fft rcb_split rcb_cholmod >/dev/null
+cmake --build "$build" -j "$(nproc)" --target test_errors roughcontact rcb_fft rcb_split rcb_cholmod >/dev/null
 export PYTHONDONTWRITEBYTECODE=1
 python3 tests/contract/errors/document.py "$build/bin/test_errors" docs/development/errors.md --update
-python3 tests/outside/docs/options.py "$build/bin/docs_options" docs/options.md --update
+python3 tests/outside/docs/options.py . "$build/lib/libroughcontact.so.0" --update
 git status --short docs bindings
