@@ -68,6 +68,15 @@ def without_language(found):
     ]
 
 
+def links_badly(found):
+    """Lines that link a shared library and do not say where the loader finds it, or leave module files of Fortran in the reader's folder."""
+    for block in found:
+        for line in block.text.replace('\\\n', ' ').splitlines() if block.language == 'sh' else ():
+            linked = re.match(r'(cc|gfortran|mkoctfile) .*pkg-config .*--libs', line) and '-Wl,-rpath,' not in line
+            if linked or re.match(r'gfortran .*_source', line) and ' -J ' not in line:
+                yield f'{block.line}: no -Wl,-rpath or no -J in: {line}'
+
+
 class Reader:
     """An installation, and somebody who types what pages say."""
 
@@ -86,7 +95,6 @@ class Reader:
             'PKG_CONFIG_PATH': str(packages),
             'CMAKE_PREFIX_PATH': str(prefix),
             'LC_ALL': 'C.UTF-8',
-            'LD_LIBRARY_PATH': str(packages.parent),
             'PYTHONPATH': str(python.parent.parent) if python else '',
             'MPLBACKEND': 'agg',
         }
@@ -143,6 +151,7 @@ def main():
                 f'{page}:{block.line}: a command in a block without a language\n{block.text}'
                 for block in without_language(found)
             ]
+            wrong += [f'{page}:{each}' for each in links_badly(found)]
             reasons = {k: left_out(block, arguments.full, reader.environment) for k, block in enumerate(found) if block.language == 'sh'}
             excluded += [f'{page.relative_to(pages.SOURCE)}:{found[k].line}: {why}' for k, why in reasons.items() if why]
             kept = [block for k, block in enumerate(found) if not reasons.get(k)]
