@@ -22,29 +22,24 @@ def test_what_python_adds_to_the_numbers_of_c():
     assert str(rc.analysis.crossing(wrapping)).endswith("the gap along no axis")
 
 
-def test_results_have_them_as_methods(rough):
+def test_results_have_them_and_what_the_command_prints(rough):
     mask = rough.heights < 1.5e-7
-    result = rc.solve(rough, modulus=1e9, approach=8e-8, mask=mask)
-    assert result.measure_area().area == pytest.approx(result.contact_area)
-    assert result.find_patches().load.sum() == pytest.approx(result.load)
-    joined = rc.analysis.patches(result.pressure, pitch=1e-6, periodic=True, mask=mask)
-    assert len(result.find_patches()) == len(joined) == result.patches
-    assert result.histogram(20).contacts == result.contacts
+    result = rc.solve(rough, modulus=1e9, approach=8e-8, mask=mask, want_gap=True)
+    found, area = result.find_patches(), result.measure_area()
+    assert area.area == pytest.approx(result.contact_area) and found.load.sum() == pytest.approx(result.load)
+    assert result.patches == len(found) == len(rc.analysis.patches(result.pressure, pitch=1e-6, periodic=True, mask=mask))
+    assert result.largest_patch == found.area.max() and result.histogram(20).contacts == result.contacts
+    assert result.area_fraction == result.contacts / result.points and result.max_pressure == result.pressure.max()
+    assert result.mean_gap == pytest.approx(result.gap[mask].mean(), rel=1e-12)
+    assert result.corrected_area == area.corrected_area < result.contact_area
+    crossing = rc.analysis.crossing(result.pressure, periodic=True, mask=mask)
+    assert (result.contact_crosses, result.gap_crosses) == (crossing.contact, crossing.gap)
+    step = rc.history(rough, modulus=1e9, approach=[8e-8], mask=mask)
+    for name in ("max_pressure", "mean_gap", "corrected_area", "patches", "largest_patch", "contact_crosses", "gap_crosses", "points"):
+        assert getattr(step[0], name) == getattr(step, name)[0], name
     bare = rc.solve(rough, modulus=1e9, approach=8e-8, want_pressure=False)
     refused(ValueError, "want_pressure", bare.find_patches)
     refused(ValueError, "want_pressure", getattr, bare, "patches")
-
-
-def test_results_have_what_the_command_prints(rough):
-    mask = rough.heights < 1.5e-7
-    result = rc.solve(rough, modulus=1e9, approach=8e-8, mask=mask, want_gap=True)
-    assert result.area_fraction == result.contacts / result.points and result.max_pressure == result.pressure.max()
-    assert result.mean_gap == pytest.approx(result.gap[mask].mean(), rel=1e-12)
-    assert result.corrected_area == result.measure_area().corrected_area < result.contact_area
-    found = result.find_patches()
-    assert result.patches == len(found) and result.largest_patch == found.area.max()
-    crossing = rc.analysis.crossing(result.pressure, periodic=True, mask=mask)
-    assert (result.contact_crosses, result.gap_crosses) == (crossing.contact, crossing.gap)
 
 
 def test_arrays_are_shown_by_their_shapes(rough):

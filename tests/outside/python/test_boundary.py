@@ -2,11 +2,9 @@
 
 import warnings
 
-import numpy as np
 import pytest
 
 import roughcontact as rc
-from conftest import refused
 
 HOW = {"modulus": 1e9, "load": 1e-4}
 
@@ -46,11 +44,3 @@ def test_what_nobody_says_is_periodic_with_a_warning_at_the_callers_line(rough, 
 def test_a_batch_of_surfaces_that_differ_needs_a_boundary(rough):
     with pytest.raises(rc.ArgumentError, match="differ in whether they repeat"):
         rc.batch([rough, rc.Surface(rough.heights, rough.pitch)], **HOW)
-
-
-def test_one_axis_may_repeat():
-    heights = np.random.default_rng(1).random((5, 6))
-    for axis in "xy":
-        how = {"pitch": 1.0, "modulus": 2.0, "boundary": f"periodic-{axis}"}
-        assert rc.solve(heights, load=0.5, **how).grid.periodic == axis and f"periodic-{axis}" in repr(rc.HalfSpace((4, 4), **how))
-    refused(rc.ArgumentError, "True, False, 'x' or 'y'", rc.analysis.area, heights, pitch=1.0, periodic="z")

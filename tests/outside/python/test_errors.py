@@ -54,7 +54,8 @@ def test_exceptions_are_also_those_of_python():
 
 def test_every_status_has_its_exception():
     kinds = {status: type(error_for(status, "")) for status in rc.Status if status < 0}
-    assert len(set(kinds.values())) == len(kinds) == 13
+    assert len(set(kinds.values())) == len(kinds) == 13 and all(kind("x").status == status for status, kind in kinds.items())
+    assert rc.InternalError("x").status == rc.Status.ERR_INTERNAL and rc.NotCertifiedError("x").status == rc.Status.UNCERTIFIED
     assert all(type(error_for(s, "")) is rc.NotCertifiedError for s in rc.Status if s > 0)
     assert type(error_for(-57, "from a newer library")) is rc.InternalError
 
@@ -73,17 +74,19 @@ def test_options_of_no_known_type(value, half_space):
     refused(TypeError, "int, float or str", rc.Contact, half_space, options={"tol": value})
 
 
+def test_direct_routines_that_stop(small_matrix):
+    u = 1.5 - np.linspace(0, 2, 12)
+    caught = refused(rc.NotCertifiedError, "", rc.direct.gp, small_matrix, u, tol=1e-14, max_iter=1)
+    stopped = rc.direct.gp(small_matrix, u, tol=1e-14, max_iter=1, check=False)
+    assert stopped.status == caught.status == rc.Status.STOP_MAX_ITER
+    assert np.array_equal(stopped.p, caught.result.p) and stopped.message
+    refused(rc.ShapeError, "u has shape", rc.direct.nnls, small_matrix, u[:5])
+    refused(rc.OptionError, "tol", rc.direct.admm, small_matrix, u, tol=1.0)
+
+
 def test_names_that_are_not_choices(half_space, sphere_gap):
     refused(rc.ArgumentError, "'free', 'periodic', 'periodic-x' or 'periodic-y'", rc.HalfSpace, (4, 4), pitch=1, modulus=1, boundary="open")
     with pytest.raises(rc.ArgumentError, match="pitch and system are both given"):
         rc.solve(undeformed_gap=sphere_gap, system=half_space, pitch=1.0, load=1)
     refused(rc.ShapeError, "3 axes", rc.HalfSpace, (4, 4, 4), pitch=1, modulus=1)
     refused(rc.ShapeError, "pitch has 3 values", rc.HalfSpace, (4, 4), pitch=(1, 2, 3), modulus=1)
-
-
-def test_every_exception_has_its_status():
-    from roughcontact._errors import _BY_STATUS
-
-    assert rc.InternalError("x").status == rc.Status.ERR_INTERNAL and rc.NotCertifiedError("x").status == rc.Status.UNCERTIFIED
-    failures = {status for status in rc.Status if status < 0}
-    assert set(_BY_STATUS) == failures and all(kind("x").status == status for status, kind in _BY_STATUS.items())

@@ -64,6 +64,7 @@ calls = {
     "gradient": lambda: long(lambda: contact.gradient(pressure)),
     "tangent": lambda: long(lambda: contact.tangent(target=1.0)),
     "direct": lambda: rc.direct.gp(hard, np.linspace(1, 2, size), tol=1e-16, max_iter=10**9, check=False),
+    "flow": lambda: long(lambda: rc.flow(noise[:700, :700], pitch=1, viscosity=1, pressure_drop=1, memory=1, width=1e-12)),
     "generate": lambda: rc.surface.spectral((2047, 2047)),
     "analyze": lambda: rc.surface.psd(wide, pitch=1.0),
     "roughness": lambda: long(lambda: rc.surface.analyze(noise, pitch=1.0)),
@@ -158,7 +159,7 @@ else:
 print("sound", flush=True)
 """,
 }
-USUAL = ("solve", "history", "batch", "law", "punch", "gradient", "tangent", "generate", "analyze")
+USUAL = ("solve", "history", "batch", "law", "punch", "gradient", "tangent", "flow", "generate", "analyze")
 OTHERS = [pytest.param(name, marks=pytest.mark.slow) for name in ("batch2", "direct", "roughness", "power_law", "cmr_advice")]
 
 

@@ -36,26 +36,6 @@ def test_masked_heights_are_missing_points(whole):
     assert np.ravel(two.load)[0] == by_hand.load  # a list forgets no masks
 
 
-@pytest.mark.parametrize(
-    "heights, pitch, error, words",
-    [
-        (np.zeros((2, 3, 4)), 1.0, rc.ShapeError, "3 axes"),
-        (np.float64(1), 1.0, rc.ShapeError, "0 axes"),
-        (np.zeros((3, 4), complex), 1.0, TypeError, "complex"),
-        ([[1, 2], [3]], 1.0, rc.ShapeError, "heights"),
-        (np.zeros((3, 4)), (1, 2, 3), rc.ShapeError, "pitch has 3"),
-        (np.zeros(4), 1.0, rc.ArgumentError, "one axis"),
-    ],
-)
-def test_what_is_no_surface_is_refused(heights, pitch, error, words):
-    refused(error, words, rc.Surface, heights, pitch)
-
-
-def test_masks_are_those_of_the_heights():
-    refused(rc.ShapeError, "mask has shape", rc.Surface, np.zeros((3, 4)), 1.0, mask=np.ones((4, 3), bool))
-    assert rc.Surface(np.zeros((3, 4)), 1.0, mask=np.asfortranarray(np.eye(3, 4) == 0)).missing.sum() == 3
-
-
 def test_surfaces_are_added(whole):
     one, other = rc.Surface(whole, 1e-6, True, unit="m"), rc.Surface(2e6 * whole, 1.0, None, unit="um")
     both = one + other

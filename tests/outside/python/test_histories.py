@@ -9,17 +9,6 @@ from conftest import refused
 import roughcontact as rc
 
 
-def test_columns_are_those_of_the_steps(rough):
-    how = {"modulus": 1e9, "approach": [4e-8, 8e-8, 6e-8], "options": {"stiffness": 2}}
-    history = rc.history(rough, **how, stiffness=True, keep_pressure=True)
-    batch = rc.batch([rough, rough], **how, stiffness=True, energy=True, intervals=True, keep_pressure=True)
-    for name in ("load", "approach", "contact_area", "energy", "stiffness", "load_lower", "area_upper", "stiffness_upper"):
-        assert np.allclose(getattr(batch, name)[1], [getattr(step, name) for step in history], rtol=1e-6), name
-        assert np.array_equal(getattr(history, name), [getattr(step, name) for step in history])
-    assert np.allclose(batch.pressure[0], history.pressure[2], atol=1e-6 * history.max_pressure[2])
-    assert rc.batch([rough], **how).energy is None
-
-
 def test_each_step_tells_its_points(rough):
     seen = []
 
@@ -98,6 +87,12 @@ def test_batch_that_is_refused():
     refused(rc.ShapeError, "differ in shape or pitch", rc.batch, surfaces(1) + [rc.surface.noise((8, 8))], modulus=1e9, load=1)
     with pytest.raises(rc.ShapeError, match="undeformed_gap have 4 x 3 points"):
         rc.batch(undeformed_gap=np.zeros((2, 3, 4)), system=rc.HalfSpace((5, 4), pitch=1, modulus=1, boundary="free"), load=1)
+
+
+def test_a_batch_of_none_that_is_refused_raises():
+    none = {"undeformed_gap": np.zeros((0, 4, 4)), "approach": 1.0, "pitch": 1.0, "check": False}
+    refused(rc.OptionError, "", rc.batch, **none, modulus=1.0, options={"threads": -5})
+    refused(rc.ArgumentError, "", rc.batch, **none, modulus=-1.0)
 
 
 def test_batch_shows_every_step():

@@ -54,49 +54,6 @@ def test_keywords_that_are_near_nothing_or_given_twice(rough):
     refused(rc.OptionError, "tol", rc.solve, rough, **PRESS, tol="much")
 
 
-def test_elastic_constants_of_two_bodies_are_pairs(rough):
-    two, one = ({"E": (2e9, 1e9), "nu": (0.3, 0.5)}, {"E": 2e9, "nu": 0.3, "E2": 1e9, "nu2": 0.5})
-    assert rc.solve(rough, **two, load=1e-4).approach == rc.solve(rough, **one, load=1e-4).approach
-    assert rc.HalfSpace.under(rough, **two).modulus == pytest.approx(1 / (0.91 / 2e9 + 0.75 / 1e9))
-    refused(rc.ArgumentError, "two each", rc.solve, rough, E=(1e9, 1e9), nu=0.3, load=1e-4)
-
-
-def test_one_row_has_to_be_said():
-    row = -np.linspace(-1, 1, 32) ** 2
-    for name in ("heights", "undeformed_gap"):
-        refused(
-            rc.ArgumentError, "one axis: give pitch=\\(hx, hy\\)", rc.solve, **{name: row}, pitch=1.0, modulus=1.0, load=0.1
-        )
-    said = rc.solve(row, pitch=(1.0, 1.0), modulus=1.0, boundary="free", load=0.1)
-    assert said.load == rc.solve(row[None], pitch=1.0, modulus=1.0, boundary="free", load=0.1).load
-    refused(rc.ArgumentError, "one axis", rc.solve, list(row), pitch=1.0, modulus=1.0, load=0.1)
-
-
-ROW = -np.linspace(-1, 1, 32) ** 2
-
-
-@pytest.mark.parametrize(
-    "call",
-    [
-        lambda pitch: rc.history(ROW, pitch=pitch, modulus=1.0, boundary="free", load=[0.1]),
-        lambda pitch: rc.batch(undeformed_gap=-ROW, pitch=pitch, modulus=1.0, boundary="free", load=0.1),
-        lambda pitch: rc.HalfSpace.under(ROW, pitch=pitch, modulus=1.0, boundary="free"),
-        lambda pitch: rc.surface.analyze(ROW, pitch=pitch),
-        lambda pitch: rc.surface.psd(ROW, pitch=pitch),
-        lambda pitch: rc.surface.power_law(ROW, pitch=pitch),
-        lambda pitch: rc.surface.cmr_advice(ROW, 1, pitch=pitch),
-        lambda pitch: rc.surface.downsample(ROW, "max", pitch=pitch),
-        lambda pitch: rc.analysis.area(-ROW, pitch=pitch),
-        lambda pitch: rc.analysis.patches(-ROW, pitch=pitch),
-        lambda pitch: rc.analysis.histogram(-ROW, 4, pitch=pitch),
-        lambda pitch: rc.direct.cmr(ROW, pitch=pitch, modulus=1.0, approach=0.1, levels=1),
-    ],
-)
-def test_everywhere(call):
-    refused(rc.ArgumentError, "one axis: give pitch=\\(hx, hy\\)", call, 1.0)
-    call((1.0, 1.0))
-
-
 def test_a_surface_is_pressed_with_its_own_pitch(rough):
     """Neither a pitch that is given nor that of a half-space replaces it."""
     for call in (rc.solve, rc.history):

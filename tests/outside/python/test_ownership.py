@@ -8,8 +8,6 @@ import pytest
 from conftest import refused
 
 import roughcontact as rc
-from roughcontact import _library
-from roughcontact._arrays import as_doubles
 
 
 def test_what_owns_a_handle_is_not_copied(half_space):
@@ -28,37 +26,6 @@ def test_a_product_may_keep_what_it_is_given(small_matrix):
 
     rc.solve(undeformed_gap=np.linspace(0, 2, 12), approach=1.5, system=rc.Product(apply, 12, pitch=1))
     assert [x.sum() for x in kept] == sums and all(x.base is None or x.base.base is None for x in kept)
-
-
-def unaligned(array):
-    memory = np.frombuffer(bytearray(array.nbytes + 1), np.float64, offset=1, count=array.size).reshape(array.shape)
-    memory[...] = array
-    return memory
-
-
-def test_arrays_are_aligned(sphere_gap, small_matrix):
-    assert as_doubles(unaligned(sphere_gap), "gap").flags.aligned
-    assert rc.Matrix(unaligned(small_matrix), pitch=1).H.flags.aligned
-
-
-def test_a_batch_of_none_that_is_refused_raises():
-    with pytest.raises(rc.OptionError):
-        how = {"approach": 1.0, "pitch": 1.0, "modulus": 1.0}
-        rc.batch(undeformed_gap=np.zeros((0, 4, 4)), **how, options={"threads": -5}, check=False)
-    with pytest.raises(rc.ArgumentError):
-        rc.batch(undeformed_gap=np.zeros((0, 4, 4)), approach=1.0, pitch=1.0, modulus=-1.0, check=False)
-
-
-def test_the_library_of_the_same_prefix_comes_before_the_systems(tmp_path, monkeypatch):
-    package = tmp_path / "lib" / "python3" / "dist-packages" / "roughcontact"
-    package.mkdir(parents=True)
-    library = tmp_path / "lib64" / _library.SONAME
-    library.parent.mkdir()
-    library.write_bytes(b"")
-    (package / "library_folder.txt").write_text("../../../../lib64\n")
-    monkeypatch.delenv(_library.VARIABLE, raising=False)
-    monkeypatch.setattr(_library, "__file__", str(package / "_library.py"))
-    assert [file for file, _ in _library._candidates()] == [str(library), _library.SONAME]
 
 
 def test_borrowed_masks_are_let_go(half_space, sphere_gap):

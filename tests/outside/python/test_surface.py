@@ -19,16 +19,3 @@ def test_downsampling(name, expected):
     holes = rc.surface.downsample(heights, name, pitch=1.0, mask=mask)
     assert holes.mask.tolist() == [[1, 1], [1, 0]] and np.isnan(holes.heights[1, 1])
     refused(rc.ArgumentError, "filter", rc.surface.downsample, heights, "median", pitch=1.0)
-
-
-@pytest.mark.parametrize("missing", ["reject", "exclude"])
-def test_infinite_heights_are_refused_at_their_place(missing):
-    heights = np.random.default_rng(1).random((10, 12))
-    heights[3, 4] = np.inf
-    with pytest.raises(rc.ArgumentError, match=r"at ix=4, iy=3"):
-        rc.solve(heights, pitch=1.0, modulus=1.0, approach=0.1, missing=missing)
-    heights[0, 0] = -np.inf
-    with pytest.raises(rc.ArgumentError, match=r"at ix=0, iy=0"):
-        rc.solve(heights, pitch=1.0, modulus=1.0, approach=0.1, missing=missing)
-    mask = np.isfinite(heights)
-    assert rc.solve(heights, pitch=1.0, modulus=1.0, approach=0.1, mask=mask, missing=missing).certified

@@ -11,8 +11,6 @@ from conftest import refused
 import roughcontact as rc
 from roughcontact._threads import usable_cores, with_threads
 
-LONG = {"solver": "gp", "tol": 1e-14, "max_iter": 10**9}
-
 
 def test_errors_belong_to_their_threads():
     def fail(k):
@@ -22,16 +20,6 @@ def test_errors_belong_to_their_threads():
 
     with ThreadPoolExecutor(4) as pool:
         assert all(pool.map(fail, range(40)))
-
-
-def test_other_threads_run_during_a_solve():
-    """The interpreter's lock is not held: another thread ends a call that sees no Python."""
-    with rc.Contact(rc.HalfSpace((256, 256), pitch=1, modulus=1, boundary="free"), options={**LONG, "time_limit": 300}) as contact:
-        thread = threading.Timer(0.1, contact.cancel)  # before the call begins it is cancelled as well
-        thread.start()
-        gap = rc.surface.spectral((256, 256)).undeformed_gap()
-        assert contact.solve(undeformed_gap=gap, approach=2.0, check=False).status == rc.Status.STOP_CANCELLED
-        thread.join()
 
 
 def test_a_second_thread_is_told(small_matrix):
@@ -83,12 +71,10 @@ def test_every_core_is_used_where_it_pays(monkeypatch):
     assert with_threads(None, large) == {"threads": 2}
     cores(monkeypatch, 3, OMP_NUM_THREADS="2", OMP_THREAD_LIMIT="1")
     assert with_threads(None, large) == {"threads": 1}
-    for text in ("2,1", " 2 ", "\t2", "2 , 7", "+2"):
+    rubbish = ("", " ", "0", "-1", "abc", "1.0", "²", "2,x", "2,", ",2", "2 2", "1e0", "0x1", "99999999999999999999")
+    for text in ("2,1", " 2 ", "\t2", "2 , 7", "+2", *rubbish):
         cores(monkeypatch, 3, OMP_NUM_THREADS=text)
-        assert usable_cores() == 2, text
-    for rubbish in ("", " ", "0", "-1", "abc", "1.0", "²", "2,x", "2,", ",2", "2 2", "1e0", "0x1", "99999999999999999999"):
-        cores(monkeypatch, 3, OMP_NUM_THREADS=rubbish)
-        assert usable_cores() == 3, rubbish
+        assert usable_cores() == (3 if text in rubbish else 2), text
 
 
 def test_a_contact_keeps_its_threads_when_options_change(monkeypatch):
