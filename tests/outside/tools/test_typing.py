@@ -91,9 +91,7 @@ class Threads(CommandTest):
             raise unittest.SkipTest("one core")
         self.assertEqual(self.threads_of(), cores)
         self.assertEqual(self.threads_of("--threads", "3"), 3)
-        for one in ("1", "1,1", " 1 ", "1, 4"):
-            self.assertEqual(self.threads_of(env=dict(os.environ, OMP_NUM_THREADS=one)), 1, one)
-        self.assertEqual(self.threads_of(env=dict(os.environ, OMP_THREAD_LIMIT="1")), 1)
+        self.assertEqual(self.threads_of(env=dict(os.environ, OMP_NUM_THREADS="1, 4")), 1)
         self.assertEqual(self.threads_of(preexec_fn=lambda: os.sched_setaffinity(0, list(os.sched_getaffinity(0))[:1])), 1)
 
 
