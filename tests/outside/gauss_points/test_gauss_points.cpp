@@ -4,13 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <fstream>
+#include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "chain.h"
 #include "contact_law.h"
 #include "support/cmocka.hpp"
 #include "support/unit_system.h"
-#include "topography_tests.h"
+#include "topography.h"
 
 namespace {
 
@@ -147,15 +150,16 @@ void no_contact_no_force(void**) {
   assert_true(law.evaluate(0.1).force > 0);
 }
 
+std::string message(const auto& act) {
+  try {
+    act();
+  } catch (const std::runtime_error& failure) {
+    return failure.what();
+  }
+  return "";
+}
+
 void failures_are_exceptions_with_the_message(void**) {
-  const auto message = [](const auto& act) -> std::string {
-    try {
-      act();
-    } catch (const ContactLawError& failure) {
-      return failure.what();
-    }
-    return "";
-  };
   assert_non_null(std::strstr(message([] { ContactLaw(grid(), std::vector<double>(7, 0.0)); }).c_str(), "7 heights"));
   assert_non_null(std::strstr(message([] { ContactLaw(grid(), rough(1), {{"solvr", "nnls"}}); }).c_str(), "solver"));
   ContactLaw law(grid(), rough(1));
@@ -164,6 +168,32 @@ void failures_are_exceptions_with_the_message(void**) {
   std::vector<ContactLaw> laws;
   for (std::uint64_t seed = 1; seed <= 3; ++seed) laws.emplace_back(grid(), rough(seed));
   assert_non_null(std::strstr(message([&] { evaluate_all(laws, {0.1, INFINITY, 0.1}, 2); }).c_str(), "target"));
+}
+
+Topography topography_of(const std::string& text) {
+  std::ofstream("topography.dat") << text;
+  return read_topography("topography.dat");
+}
+
+void reads_rows_with_and_without_a_last_semicolon(void**) {
+  for (const char* text : {"1;2\n3;4\n", "1;2;\n3;4;\n", "1; 2\r\n 3.0 ;4e0\r\n\n", "+1;2\n3;+4"}) {
+    const Topography map = topography_of(text);
+    assert_int_equal(map.side, 2);
+    assert_true((map.heights == std::vector<double>{1, 2, 3, 4}));
+  }
+  assert_true(topography_of("-1.25e-3").heights.front() == -1.25e-3);
+}
+
+void refuses_files_with_line_and_reason(void**) {
+  for (const auto& [text, part] : {std::pair{"", "no values"},
+                                   {"1;2\n3;four\n", "line 2: value 2, \"four\""},
+                                   {"1;2\n3;nan\n", "not a finite number"},
+                                   {"1;;2\n", "value 2, \"\""},
+                                   {"1;2\n3\n", "line 2: 1 values; the first line has 2"},
+                                   {"1;2\n", "1 lines of 2 values; give a square map"},
+                                   {"1 2\n3 4\n", "\"1 2\""}})
+    assert_non_null(std::strstr(message([text = text] { topography_of(text); }).c_str(), part));
+  assert_non_null(std::strstr(message([] { read_topography("/nowhere/at/all"); }).c_str(), "cannot be opened"));
 }
 
 std::vector<ChainStep> chain_with(int threads) {

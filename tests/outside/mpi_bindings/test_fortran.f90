@@ -4,6 +4,7 @@ program test_fortran
   use mpi_f08
   use roughcontact
   use roughcontact_mpi
+  use checks, only: rough
   implicit none
   integer, parameter :: nx = 64, ny = 96
   type(rc_system) :: system
@@ -20,7 +21,7 @@ program test_fortran
   call MPI_Init()
   call MPI_Comm_rank(MPI_COMM_WORLD, rank)
   system = rc_system(boundary=RC_BOUNDARY_FREE, nx=nx, ny=ny, hx=1e-6_c_double, hy=1e-6_c_double, modulus=1e9_c_double)
-  whole = rcf_gap_from_heights(heights())
+  whole = rcf_gap_from_heights(1e-7_c_double * rough(nx, ny))
   call rcf_mpi_rows(MPI_COMM_WORLD, system, first, count)
   gap = whole(:, first:first + count - 1)
   allocate (p(nx, count), deformed(nx, count))
@@ -46,21 +47,6 @@ program test_fortran
   call MPI_Finalize()
 
 contains
-
-  function heights() result(z)
-    real(c_double) :: z(nx, ny)
-    integer :: x, y, k
-    real(c_double), parameter :: turn = 6.283185307179586_c_double
-    do y = 1, ny
-      do x = 1, nx
-        z(x, y) = 0
-        do k = 1, 6
-          z(x, y) = z(x, y) + 1e-7_c_double / k &
-            * cos(turn * (k * real(x, c_double) / nx + (7 - k) * real(y, c_double) / ny) + k * k)
-        end do
-      end do
-    end do
-  end function
 
   subroutine require(holds, what)
     logical, intent(in) :: holds

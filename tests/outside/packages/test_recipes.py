@@ -26,19 +26,6 @@ def test_citation(tmp_path):
     assert subprocess.run([*convert[:-1], str(tmp_path / "CITATION.cff"), "--validate"], capture_output=True).returncode
 
 
-def test_conda_recipe():
-    """rattler-build reads it and fills in versions; nothing is built, which would need a channel of packages."""
-    rattler = pytest.importorskip("rattler_build")
-    recipe = rattler.Stage0Recipe.from_file(str(SOURCE / "packaging" / "conda" / "recipe.yaml"))
-    variants = {"c_compiler": ["gcc"], "cxx_compiler": ["gxx"], "c_stdlib": ["sysroot"], "python": ["3.12"]}
-    (rendered,) = recipe.render(rattler.VariantConfig(variants))
-    found = rendered.recipe.to_dict()
-    assert found["package"]["name"] == "roughcontact" and len(found["tests"]) == 2
-    assert (SOURCE / found["about"]["license_file"][0]).exists()
-    with pytest.raises(rattler.RattlerBuildError):
-        rattler.Stage0Recipe.from_yaml("package: {name: a, version: '1'}\nbuidl: {number: 0}\n")
-
-
 def test_bill_of_materials(tmp_path):
     validation = pytest.importorskip("cyclonedx.validation.json")
     from cyclonedx.schema import SchemaVersion
@@ -138,12 +125,17 @@ def test_conan_recipe(filled, monkeypatch, tmp_path, shared):
     assert ran.returncode == 0 and "load 0.445553" in ran.stdout, ran.stdout[-3000:] + ran.stderr[-3000:]
 
 
-def test_filled_conda_recipe(filled):
+def test_conda_recipe(filled):
+    """rattler-build reads it and fills in versions; nothing is built, which would need a channel of packages."""
     rattler = pytest.importorskip("rattler_build")
     recipe = rattler.Stage0Recipe.from_file(str(filled / "conda" / "recipe.yaml"))
     variants = {"c_compiler": ["gcc"], "cxx_compiler": ["gxx"], "c_stdlib": ["sysroot"], "python": ["3.12"]}
     (rendered,) = recipe.render(rattler.VariantConfig(variants))
-    assert rendered.recipe.to_dict()["about"]["homepage"]
+    found = rendered.recipe.to_dict()
+    assert found["package"]["name"] == "roughcontact" and len(found["tests"]) == 2
+    assert found["about"]["homepage"] and (SOURCE / found["about"]["license_file"][0]).exists()
+    with pytest.raises(rattler.RattlerBuildError):
+        rattler.Stage0Recipe.from_yaml("package: {name: a, version: '1'}\nbuidl: {number: 0}\n")
 
 
 def test_vcpkg_manifest(filled):

@@ -122,7 +122,5 @@ def test_what_is_remarked_is_shown(sphere_gap):
     assert str(rc.solve(**how, modulus=1e11, approach=-0.0).approach) == "0.0"
     quiet = rc.solve(**how, modulus=1e11, approach=1e-8)
     assert quiet.note == quiet.remarks == "" and "note" not in repr(quiet)
-    for modulus, approach, words in ((1e14, 3e-8, "diamond"), (2e12, 1e-7, "any steel"), (1e9, 3e-5, "E*, linear elasticity")):
-        assert words in repr(rc.solve(**how, modulus=modulus, approach=approach))
     worn = rc.solve(**how, modulus=1e11, hardness=1e9, approach=1e-6)
     assert worn.capped > 1 and f"1e+09 at {worn.capped} points" in worn._repr_html_() and "add hardness" not in repr(worn)

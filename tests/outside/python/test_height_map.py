@@ -95,11 +95,11 @@ def test_files_are_whole_or_not_there(tmp_path, whole):
     assert path.read_bytes() == before and [each.name for each in tmp_path.iterdir()] == ["a.gsf"]
 
 
-def test_the_example_is_a_surface_to_try_things_with():
-    surface = rc.example()
-    assert surface.shape == (256, 256) and surface.unit == "m" and surface.periodic is True and not surface.missing.any()
-    assert np.array_equal(surface.heights, rc.example().heights)
-    assert rc.solve(surface, E=200e9, nu=0.3, pressure=500e6).grid.periodic
+def test_the_example_is_a_surface_that_can_be_made():
+    example, wave = rc.example(), 2 * np.pi / 2.5e-6
+    made = rc.surface.spectral((256, 256), pitch=4e-8, rms_height=3e-8, hurst=0.8, q_rolloff=wave, seed=1)
+    assert example.unit == "m" and example.periodic is True and not example.missing.any() and example.pitch == made.pitch
+    assert abs(example.heights - made.heights).max() < 1e-7 * made.heights.max()  # single precision
 
 
 @pytest.mark.parametrize("call", [rc.read, lambda path: rc.solve(path, modulus=1.0, load=1.0), rc.surface.analyze])

@@ -1,6 +1,5 @@
 """Which library is loaded, and what is said where there is none. Each in a Python of its own."""
 
-import math
 import os
 import shutil
 import subprocess
@@ -93,12 +92,3 @@ for call in (lambda: rc.surface.noise((4, 4)), lambda: rc.flow([[1, 1]], pitch=1
     ran = python(code, tmp_path, PYTHONPATH=str(tmp_path), PYTHONDONTWRITEBYTECODE="1")
     said = ["LibraryNotFoundError True", "LibraryNotFoundError True", "NoBackendError True"]
     assert ran.stdout.splitlines()[1:] == said, ran.stdout + ran.stderr
-
-
-def test_the_example_is_a_surface_that_can_be_made():
-    wave = 2 * math.pi / 2.5e-6
-    example, made = rc.example(), rc.surface.spectral(
-        (256, 256), pitch=4e-8, rms_height=3e-8, hurst=0.8, q_rolloff=wave, seed=1
-    )
-    assert example.unit == "m" and example.periodic and example.pitch == made.pitch
-    assert abs(example.heights - made.heights).max() < 1e-7 * made.heights.max()  # single precision

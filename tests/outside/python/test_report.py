@@ -143,7 +143,6 @@ def test_the_numbers_are_those_of_solve(file, rough):
 def test_words(file):
     content = collected(file, "--pressure", "5GPa")
     assert f"Contact area {100 * content.steps[-1].area_fraction:.3g} % at" in wording.conclusion(content)
-    assert "above the hardness of any steel" in wording.conclusion(content)
     assert "10 of 10 steps are certified" in wording.certificate(content)
     said = " ".join(wording.assumptions(content))
     for words in (
@@ -158,8 +157,6 @@ def test_words(file):
     assert all(len(row) == len(wording.STEP_HEAD) for row in wording.step_rows(content))
     assert all(len(row) == len(wording.PROOF_HEAD) for row in wording.proof_rows(content))
     assert dict(wording.surface_rows(content))["rms height"] == "100 nm"
-    soft = of([file, "--unit", "um", "--pitch", "0.1", "--modulus", "3GPa", "--pressure", "1GPa", "--boundary", "periodic"])
-    assert "E*, linear elasticity does not hold there" in wording.conclusion(soft)
     assert wording.conclusion(collected(file, "--pressure", "5GPa", "--hardness", "1TPa")).endswith(
         "below the hardness of 1 TPa."
     )

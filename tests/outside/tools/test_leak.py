@@ -19,24 +19,21 @@ class Leaks(CommandTest):
         return done.stdout, json.loads((self.folder / "out/summary.json").read_text())
 
     def test_steps_have_intervals_that_fall_with_the_pressure(self):
-        said, summary = self.steps("--pressure", "1MPa,5MPa,20MPa", "--leak", FLUID)
-        first, second, last = summary["steps"]
+        said, summary = self.steps("--pressure", "1MPa,5MPa,20MPa,1GPa", "--leak", FLUID)
+        first, second, last, full = summary["steps"]
         for step in (first, second):
             self.assertTrue(0 < step["leak_lower"] <= step["leak"] <= step["leak_upper"] < 1.01 * step["leak_lower"])
             self.assertTrue(step["constriction"] > 0 and 0 <= step["constriction_x"] < 48 and 0 <= step["constriction_y"] < 48)
         self.assertGreater(first["leak_lower"], second["leak_upper"])
         self.assertEqual((last["leak"], last["leak_upper"], last["gap_crosses"], last["constriction_x"]), (0, 0, "none", -1))
+        self.assertEqual([full[name] for name in ("leak", "leak_upper", "gap_crosses")], [0, None, "none"])
+        self.assertIn("leak along x 0 m^3/s, no bound is known\n", said)
         self.assertEqual((summary["input"]["viscosity"], summary["input"]["pressure_drop"], summary["input"]["leak_along"]), (1e-3, 1e5, "x"))
         lines = re.findall(r"leak along x (\S+) m\^3/s, exact at this approach: (\S+) \.\. (\S+); lowest gap on the best path [\d.]+ nm", said)
         np.testing.assert_allclose(np.array(lines[1], float), [second[name] for name in ("leak", "leak_lower", "leak_upper")], rtol=1e-3)
         self.assertIn("leak along x 0: no path through the gap is left, proven", said)
         header = (self.folder / "out/steps.csv").read_text().splitlines()[0]
         self.assertIn("leak [m^3/s],leak_lower [m^3/s],leak_upper [m^3/s],constriction [m]", header)
-
-    def test_full_contact_has_no_bound(self):
-        said, summary = self.steps("--pressure", "1GPa", "--leak", FLUID)
-        self.assertEqual([summary["steps"][0][name] for name in ("leak", "leak_upper", "gap_crosses")], [0, None, "none"])
-        self.assertIn("leak along x 0 m^3/s, no bound is known\n", said)
 
     def test_a_history_with_leaks_goes_on_and_no_other(self):
         _, whole = self.steps("--pressure", "1MPa,2MPa", "--leak", FLUID)

@@ -9,22 +9,17 @@ from pathlib import Path
 
 import harness
 from harness import CommandTest, np, without_gnuplot
-from stand_ins import rms_slope
 
 FOLDER = Path(sys.argv.pop(2)) if len(sys.argv) > 2 else Path()
 
 
-def slope_of(file):
-    """The rms slope, to which the mean pressure at a given contact area is proportional."""
-    contents = file.read_bytes()
-    head = contents.partition(b"\0")[0]
-    field = dict(line.split(" = ") for line in head.decode("utf-8").splitlines() if " = " in line)
-    nx, ny = int(field["XRes"]), int(field["YRes"])
-    z = np.frombuffer(contents[-4 * nx * ny :], "<f4").reshape(ny, nx)
-    return rms_slope(z.astype(float), float(field["XReal"]) / nx, float(field["YReal"]) / ny)
-
-
 class Measured(CommandTest):
+    def slope_of(self, surface):
+        """The rms slope, to which the mean pressure at a given contact area is proportional."""
+        done = self.run_command("analyze", surface, "--missing", "fill", "--json", "found.json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads((self.folder / "found.json").read_text())["statistics"]["rms_slope"]
+
     def steps(self, surface, *arguments):
         self.solve(surface, "--modulus", "1", "--tol", "1e-8", "--threads", os.cpu_count(), *arguments, "--out", "out", "--quiet",
                    "--missing", "exclude", env=without_gnuplot(), timeout=3000)
@@ -33,7 +28,7 @@ class Measured(CommandTest):
     def test_approach_and_load_control_agree(self):
         for surface in sorted(FOLDER.rglob("*.gsf")):
             with self.subTest(surface.stem):
-                pressures = (slope_of(surface) * p for p in (0.005, 0.05, 0.2))
+                pressures = (self.slope_of(surface) * p for p in (0.005, 0.05, 0.2))
                 loaded = self.steps(surface, "--pressure", ",".join(map(repr, map(float, pressures))))
                 pressed = self.steps(surface, "--approach", ",".join(repr(step["approach"]) for step in loaded))
                 back = self.steps(surface, "--load", ",".join(repr(step["load"]) for step in pressed))
