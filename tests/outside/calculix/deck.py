@@ -1,8 +1,14 @@
 """Decks of two cubes of 10 mm, one on the other, with symmetric supports; the upper one is pressed down by its top."""
 
+import os
+import subprocess
+
 EDGE = 10.0  # mm
 YOUNG = 210000.0  # MPa
 CONDUCTIVITY = 50.0  # mW/(mm K)
+
+COMPLIANCE = 2 * EDGE / YOUNG  # mm/MPa, of both cubes
+AREA = EDGE**2
 
 # With the stock line search, heat across a contact stalls Newton's method.
 NO_LINE_SEARCH = ["*CONTROLS,PARAMETERS=LINE SEARCH", ",1.01,.999,0.1,0.1"]
@@ -67,3 +73,26 @@ def write(path, behaviour, kind, down, increments=1, elements=2, tilt=0.0, heat=
     lines += ["BOTTOM,11,11,300.", "TOP,11,11,400."] if heat else []
     lines += ["*NODE PRINT,NSET=BOTTOM,TOTALS=ONLY,FREQUENCY=1", "RF" + (",RFL" if heat else ""), "*END STEP"]
     path.write_text("\n".join(lines) + "\n")
+
+
+def series(law, down):
+    """The pressure at which both cubes and the law together yield by `down`."""
+    lower, upper = 0.0, down
+    for _ in range(200):
+        x = (lower + upper) / 2
+        lower, upper = (lower, x) if law(x) * COMPLIANCE + x > down else (x, upper)
+    return law(x)
+
+
+def make_law(source, library, folder):
+    """steel.law in the folder, by the program of integrations/calculix."""
+    links = [f"-L{library.parent}", "-lroughcontact", f"-Wl,-rpath,{library.parent}", "-lm"]
+    program = source / "integrations/calculix/steel.c"
+    subprocess.run(["cc", "-O2", f"-I{source / 'include'}", program, "-o", "steel", *links], cwd=folder, check=True)
+    subprocess.run(["./steel", "steel.law"], cwd=folder, check=True)
+
+
+def solved(ccx, folder, name, threads):
+    """What CalculiX says of a job."""
+    environment = dict(os.environ, OMP_NUM_THREADS=threads, CCX_NPROC_RESULTS=threads)
+    return subprocess.run([ccx, "-i", name], cwd=folder, env=environment, capture_output=True, text=True, timeout=300)

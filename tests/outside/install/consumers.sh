@@ -53,7 +53,7 @@ build_and_run() {  # build_and_run PREFIX KIND...
     fi
     clean "$cc" -std=c99 -Wall -Wextra -pedantic -Werror "${flags[@]}" "$source/examples/press_sphere.c" -o "$out/c" "${libs[@]}"
     expect "C $kind" "${run[@]}" "$out/c"
-    clean "$cxx" -std=c++17 -Wall -Wextra -pedantic -Werror "${flags[@]}" "$source/tests/outside/install/consumer.cpp" -o "$out/c++" "${libs[@]}"
+    clean "$cxx" -std=c++17 -Wall -Wextra -pedantic -Werror "${flags[@]}" -x c++ "$source/examples/press_sphere.c" -x none -o "$out/c++" "${libs[@]}"
     expect "C++ $kind" "${run[@]}" "$out/c++"
     if [ -n "$fc" ]; then
       read -ra modules <<<"$(pkg --variable=fortran_source roughcontact-fortran)"
@@ -82,8 +82,8 @@ build_and_run() {  # build_and_run PREFIX KIND...
       read -ra modules <<<"$(pkg --variable=fortran_source roughcontact-fortran) $(pkg --variable=formats_source roughcontact-fortran)"
       if [ "$kind" = static ]; then libs+=("$(pkg --variable=libdir roughcontact)/libroughcontact.a"); else libs+=(-lroughcontact); fi
       read -ra more <<<"$(pkg --variable=private_libs roughcontact)"
-      clean "$fc" -J "$out" "${modules[@]}" "$source/tests/outside/install/read_surface.f90" -o "$out/readf" "${libs[@]}" "${more[@]}"
-      expect_read "Fortran $kind" "$out/readf"
+      clean "$fc" -J "$out" "${modules[@]}" "$source"/tests/outside/fortran/{checks,test_files}.f90 -o "$out/readf" "${libs[@]}" "${more[@]}"
+      (cd "$out" && clean ./readf) || fail "Fortran $kind does not read"
     fi
     # Only a program that reads files links what that needs.
     ! readelf -d "$out/c" | grep -qE 'NEEDED.*lib(zip|pugixml)' || fail "$kind: the solver's consumer links libzip"

@@ -182,3 +182,53 @@ def test_single_arrays_are_worth_their_values(sphere_gap, tmp_path):
             assert found.pressure.dtype == found.gap.dtype == np.float32 and found.load == wide.load
             assert np.array_equal(found.pressure, wide.pressure.astype(np.float32))
             assert np.array_equal(found.gap, wide.gap.astype(np.float32))
+
+
+def test_heights_are_gaps_upside_down(sphere_gap):
+    gap = rc.solve(undeformed_gap=sphere_gap - sphere_gap.min(), pitch=PITCH, modulus=MODULUS, boundary="free", approach=3e-7)
+    heights = rc.solve(-sphere_gap, pitch=PITCH, modulus=MODULUS, boundary="free", approach=3e-7)
+    assert np.array_equal(gap.pressure, heights.pressure)
+
+
+def test_axes_are_rows_and_columns():
+    """A ridge along x on cells that are not square: what varies along the last axis has pitch hx."""
+    y = np.arange(33) - 16.0
+    gap = np.repeat((y**2 / 50)[:, None], 20, axis=1)
+    result = rc.solve(undeformed_gap=gap, pitch=(2.0, 1.0), modulus=1.0, boundary="free", approach=1.0)
+    assert result.pressure.shape == (33, 20)
+    assert result.pressure[16].min() > 0 and result.pressure[0].max() == 0
+    turned = rc.solve(undeformed_gap=gap.T, pitch=(1.0, 2.0), modulus=1.0, boundary="free", approach=1.0)
+    assert turned.load == pytest.approx(result.load, rel=1e-7)
+    assert np.allclose(turned.pressure.T, result.pressure, atol=1e-6 * result.pressure.max())
+
+
+def test_accuracy_is_a_success_on_a_coarser_grid():
+    surface = rc.surface.spectral((512, 512), pitch=1e-6, rms_height=1e-7, hurst=0.8, q_high=2e5)
+    result = rc.solve(surface, modulus=1e9, load=1e-2, options={"accuracy": 0.2})
+    assert result.status == rc.Status.WITHIN_GOAL and not result.certified
+    assert result.accuracy.model_nx < 512 and result.accuracy.error_estimate <= 0.2 and result.pressure.shape == (512, 512)
+
+
+#: whole numbers reach C as they are, or are refused: none loses its high bits or its fraction on the way
+WHOLE = {
+    "levels": lambda: rc.surface.rmd(2**32 + 8),
+    "stage": lambda: rc.surface.rmd(8, stage=2**32 + 8),
+    "a side of the shape": lambda: rc.surface.spectral((-(2**64) + 512, 512)),
+    "seed": lambda: rc.surface.noise((4, 4), seed=2**64 + 1),
+    "seed below zero": lambda: rc.surface.spectral((4, 4), seed=-1),
+    "levels of advice": lambda: rc.surface.cmr_advice(rc.surface.noise((8, 8)), 2**32 + 1),
+    "bins": lambda: rc.analysis.histogram(np.zeros((4, 4)), bins=-(2**64) + 200000, pitch=1.0),
+    "a side": lambda: rc.HalfSpace((2**64 + 4, 4), pitch=1.0, modulus=1.0),
+    "a fraction": lambda: rc.HalfSpace((2.7, 3.2), pitch=1.0, modulus=1.0),
+    "text": lambda: rc.HalfSpace("44", pitch=1.0, modulus=1.0),
+    "every": lambda: rc.Contact(rc.HalfSpace((4, 4), pitch=1.0, modulus=1.0), every=2**64 + 1),
+    "every of one call": lambda: rc.solve(undeformed_gap=np.zeros((4, 4)), approach=1.0, every=1.5, pitch=1.0, modulus=1.0),
+    "max_iter": lambda: rc.direct.nnls(np.eye(2), np.ones(2), max_iter=2**64 + 1),
+    "levels of the cascade": lambda: rc.direct.cmr(np.zeros((4, 4)), approach=1.0, levels=2**64 + 2, pitch=1.0, modulus=1.0),
+    "sides of coefficients": lambda: rc.kernel_coefficients("love", 2**64 + 2, 1.0),
+}
+
+
+@pytest.mark.parametrize("case", WHOLE)
+def test_what_does_not_fit_is_refused(case):
+    refused(rc.ArgumentError, "whole number is needed|the library takes", WHOLE[case])

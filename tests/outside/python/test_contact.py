@@ -94,15 +94,6 @@ def test_progress_sees_and_stops(rough):
     assert rc.solve(rough, **how, progress=lambda p: p.iteration >= 3, check=False).status == rc.Status.STOP_CANCELLED
 
 
-def test_exceptions_of_progress_arrive(rough):
-    def progress(_):
-        raise LookupError("from inside")
-
-    with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9), options={"solver": "gp"}, progress=progress) as contact:
-        for _ in range(2):  # and leave the contact usable
-            refused(LookupError, "from inside", contact.solve, rough, approach=1e-7)
-
-
 def test_a_callback_cannot_use_the_contact_that_calls_it(rough):
     caught = []
 
@@ -162,22 +153,42 @@ def test_own_product(small_matrix):
     assert shaped.backend == "callback" and np.allclose(shaped.pressure.ravel(), expected.pressure, rtol=1e-6) and set(seen) == {((3, 4), False)}
 
 
-def test_exceptions_of_products_arrive(small_matrix):
-    calls = []
+def raising(*_):
+    raise LookupError("from inside")
 
-    def failing(x):
-        calls.append(1)
-        if len(calls) > 3:
-            raise ZeroDivisionError("in the product")
-        return small_matrix @ x
 
-    with pytest.raises(ZeroDivisionError, match="in the product"):
-        rc.solve(undeformed_gap=np.linspace(0, 2, 12), approach=1.5, system=rc.Product(failing, 12, pitch=1))
+WAVES = np.cos(np.arange(12.0).reshape(3, 4))
+RUN = {"undeformed_gap": 1 + WAVES, "pitch": 1.0, "modulus": 1.0, "boundary": "free"}
+
+
+def late(x, calls=[]):  # noqa: B006
+    """A product that raises when it has been tried."""
+    calls.append(1)
+    return raising() if len(calls) % 4 == 0 else 2.0 * x
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda: rc.solve(**RUN, approach=1.0, solver="gp", progress=raising),
+        lambda: rc.history(**RUN, approach=[0.5, 1.0], each=raising),
+        lambda: rc.batch(**RUN, approach=[0.5, 1.0], each=raising),
+        lambda: [rc.solve(undeformed_gap=np.linspace(0, 1, 12), approach=0.9, system=rc.Product(late, 12, pitch=1)) for _ in range(4)],
+        lambda: [rc.analysis.punch_stiffness(rc.Product(late, 12, pitch=1.0)) for _ in range(4)],
+        lambda: [rc.Influence(rc.Product(late, 12, pitch=1.0)).matvec(np.ones(12)) for _ in range(4)],
+    ],
+    ids=["progress", "history", "batch", "product", "punch", "influence"],
+)
+def test_exceptions_of_the_callers_functions_arrive(call):
+    refused(LookupError, "from inside", call)
+
+
+def test_a_contact_is_usable_after_an_exception(rough):
+    with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9), options={"solver": "gp"}, progress=raising) as contact:
+        for _ in range(2):
+            refused(LookupError, "from inside", contact.solve, rough, approach=1e-7)
     refused(rc.ShapeError, "the product has shape", rc.Contact, rc.Product(lambda x: x[:3], 12, pitch=1))
     refused(TypeError, "real numbers", rc.Contact, rc.Product(lambda x: None, 12, pitch=1))
-    calls.clear()
-    punched = rc.Product(failing, 12, pitch=1.0)
-    refused(ZeroDivisionError, "in the product", lambda: [rc.analysis.punch_stiffness(punched) for _ in range(4)])
 
 
 def test_contacts_are_freed(half_space, sphere_gap):

@@ -31,19 +31,6 @@ def test_bad_pressures_are_refused(system):
     refused(rc.OptionError, "tolerance", rc.Influence, system, options={"tolerance": 1})
 
 
-def test_exceptions_of_a_product(small_matrix):
-    def apply(x):
-        if np.any(x < -1):
-            raise LookupError("too low")
-        return (small_matrix @ x.ravel()).reshape(x.shape)
-
-    H = rc.Influence(rc.Product(apply, (12,), pitch=1.0))
-    p = np.linspace(-1, 1, 12)
-    assert np.allclose(H @ p, small_matrix @ p)
-    with pytest.raises(LookupError):
-        H.matvec(p - 1)
-
-
 def test_columns_and_the_transpose(system):
     H, n = rc.Influence(system), 660
     X = np.random.default_rng(2).normal(size=(n, 3))
