@@ -12,10 +12,12 @@ tried, and at most 3 are noticed by nothing.
 """
 
 import argparse
+import contextlib
 import json
 import os
 import pathlib
 import re
+import signal
 import subprocess
 import sys
 
@@ -71,6 +73,22 @@ def tests_of(build, pattern):
     return names, targets
 
 
+@contextlib.contextmanager
+def restored(files):
+    """The texts of files that are changed in place, and are as before at the end. Files with changes of your own are refused."""
+    if dirty := subprocess.run(
+        ["git", "-C", ROOT, "status", "--porcelain", *files], capture_output=True, text=True, check=True
+    ).stdout:
+        sys.exit(f"commit or stash these files first:\n{dirty}")
+    originals = {file: (ROOT / file).read_text() for file in files}
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit("ended"))
+    try:
+        yield originals
+    finally:
+        for file in files:
+            (ROOT / file).write_text(originals[file])
+
+
 def scenes_pass(build, number, seeds=FIRST_SEEDS):
     command = [build / "bin/test_scenes", "--stop", "--seeds", seeds]
     return subprocess.run(command, capture_output=True, env={**os.environ, "RC_FAULT": str(number)}).returncode == 0
@@ -120,10 +138,6 @@ def main():
         for fault in wanted:
             print(f"{fault[1]} | {fault[2]}")
         return 1 if stale else 0
-    if dirty := subprocess.run(
-        ["git", "-C", ROOT, "status", "--porcelain", *files], capture_output=True, text=True, check=True
-    ).stdout:
-        sys.exit(f"commit or stash these files first:\n{dirty}")
     build = arguments.build.resolve()
     targets = {"test_scenes"}
     for fault in wanted:
@@ -132,7 +146,7 @@ def main():
             sys.exit(f"{fault[1]}: no test is called {fault[5]}")
         targets |= {*programs, *fault[6]}
     unnoticed = []
-    try:
+    with restored(files):
         for file in files:
             text = originals[file]
             for fault in wanted:
@@ -148,9 +162,6 @@ def main():
             if not found:
                 unnoticed.append(fault)
             print(f"{fault[1]} | {fault[2]} | {', '.join(found) or 'NOBODY'}", flush=True)
-    finally:
-        for file in files:
-            (ROOT / file).write_text(originals[file])
     print(f"{len(wanted)} faults, {len(wanted) - len(unnoticed)} noticed")
     return 0 if len(unnoticed) <= MOST_UNNOTICED and not stale else 1
 

@@ -74,7 +74,7 @@ def lines_of(text, functions):
     """Numbers of the lines that are mutated."""
     lines = text.split("\n")
     if functions is ALL:
-        first = next(i for i, line in enumerate(lines) if line.startswith("namespace rc"))
+        first = next((i for i, line in enumerate(lines) if line.startswith("namespace ")), 0)
         return range(first, len(lines))
     found = []
     for function in functions:
@@ -103,10 +103,14 @@ class Mutant:
         return f"{self.file} | {self.function} | {self.change.name} {self.place}"
 
 
-def mutants():
-    number, places = 0, collections.Counter()
+def parts_of_certificate():
+    """(file, the file that is compiled, functions) of what tests/mutants must tell."""
     parts = [(name, name, functions) for name, functions in SOURCES.items()]
-    parts += [(header, user, functions) for header, users in INLINE.items() for user, functions in users.items()]
+    return parts + [(header, user, functions) for header, users in INLINE.items() for user, functions in users.items()]
+
+
+def mutants(parts):
+    number, places = 0, collections.Counter()
     for file, user, functions in parts:
         text = (ROOT / file).read_text()
         lines, names = text.split("\n"), switched.function_names(text.split("\n"))
@@ -168,9 +172,15 @@ class Workshop:
             path.parent.mkdir(parents=True, exist_ok=True)
             what = ["-fsyntax-only", "-x", "c++"] if name in INLINE else ["-c", "-o", path.with_suffix(".o")]
             command = [*self.compiler, "-O1", "-Wno-narrowing", f"-I{overlay}/src", *self.paths, *what, path]
-            found = switched.compiled(command, path, (ROOT / name).read_text(), numbered)
+
+            def build():
+                run = subprocess.run([*command, "-fsyntax-only"], capture_output=True, text=True)
+                return [run.stderr] if run.returncode else []
+
+            found = switched.built({path: (name, (ROOT / name).read_text(), numbered)}, build)
             if found is None:
                 sys.exit(f"{name} does not compile: {' '.join(map(str, command))}")
+            subprocess.run(command, check=True)
             self.switched.update(found)
             if name not in INLINE:
                 objects.append(path.with_suffix(".o"))
@@ -236,7 +246,7 @@ def main():
     parser.add_argument("--cover", action="store_true")
     arguments = parser.parse_args()
 
-    wanted = [mutant for mutant in mutants() if arguments.only in str(mutant)]
+    wanted = [mutant for mutant in mutants(parts_of_certificate()) if arguments.only in str(mutant)]
     if arguments.list:
         for mutant in wanted:
             print(f"{mutant} | line {mutant.line + 1}")

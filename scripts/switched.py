@@ -1,8 +1,8 @@
 """Changes of single operators, and sources in which a number in the environment turns on each: tests/mutants/switches.h."""
 
 import dataclasses
+import pathlib
 import re
-import subprocess
 
 OPPOSITE = {"<": ">=", "<=": ">", ">": "<=", ">=": "<", "==": "!=", "!=": "=="}
 EDGE = {"<": "<=", "<=": "<", ">": ">=", ">=": ">"}
@@ -17,6 +17,7 @@ STATEMENT = re.compile(
 NO_FUNCTION = r"\s|namespace|class|struct|enum|return|if|for|while|switch|using|typedef|static_assert|template|//|#|[})]"
 FUNCTION = re.compile(rf"^( {{0,2}})(?!{NO_FUNCTION})[^;=(]*?(\w+|operator\S+)\(")
 NAME = "rc_switch::"
+SWITCHES = pathlib.Path(__file__).resolve().parent.parent / "tests/mutants/switches.h"
 
 
 @dataclasses.dataclass
@@ -213,20 +214,29 @@ def text_of(lines, numbered):
     return "\n".join(switched(line, numbered[i]) if i in numbered else line for i, line in enumerate(lines))
 
 
-def compiled(command, path, original, numbered):
-    """Compiles the file with those of its changes that can be switched: their numbers, or None if it does not compile at all."""
-    lines = original.split("\n")
-    numbered = {i: found for i, each in numbered.items() if (found := [pair for pair in each if can_switch(lines, i, pair[1])])}
+def built(sources, build):
+    """Writes the files with those of their changes that can be switched, and with fewer until they compile: the numbers of the changes
+    in them, or None if they never compile. sources: {path: (name in messages, text, {index of a line: [(number, change)]})}.
+    build(): what each compilation that fails says."""
+    left = {}
+    for path, (name, text, numbered) in sources.items():
+        lines = text.split("\n")
+        switchable = {i: [pair for pair in each if can_switch(lines, i, pair[1])] for i, each in numbered.items()}
+        left[path] = name, lines, {i: each for i, each in switchable.items() if each}
     for _ in range(60):
-        path.write_text(f'#include "mutants/switches.h"\n#line 1\n{text_of(lines, numbered)}')
-        run = subprocess.run([*command, "-fsyntax-only"], capture_output=True, text=True)
-        if run.returncode == 0:
-            subprocess.run(command, check=True)
-            return [number for each in numbered.values() for number, _ in each]
-        first = run.stderr.partition("error: ")[0]  # the others may follow from it
-        bad = {int(number) - 1 for number in re.findall(rf"{re.escape(str(path))}:(\d+):", first)} & set(numbered)
+        for path, (_, lines, numbered) in left.items():
+            text = f'#include "{SWITCHES}"\n#line 1\n{text_of(lines, numbered)}'
+            if not path.exists() or path.read_text() != text:
+                path.write_text(text)
+        failed = build()
+        if not failed:
+            return [number for _, _, numbered in left.values() for each in numbered.values() for number, _ in each]
+        bad = False
+        for said in failed:
+            first = said.partition("error: ")[0]  # the others may follow from it
+            for name, _, numbered in left.values():
+                for line in re.findall(rf"{re.escape(name)}:(\d+):", first):
+                    bad |= numbered.pop(int(line) - 1, None) is not None
         if not bad:
-            break
-        for i in bad:
-            del numbered[i]
+            return None
     return None

@@ -1,6 +1,7 @@
 // Operators that change when RC_CHANGE names them: scripts/mutants.py puts all mutants of a file into one program. `a + b`
 // becomes `a + At<7, sub>{} + b`, which binds as before.
 #pragma once
+#pragma GCC system_header  // warnings about what it makes of a change mean nothing
 
 #include <algorithm>
 #include <cmath>
