@@ -34,15 +34,6 @@ class Resume(RanksTest):
             except OSError:
                 pass
 
-    def test_a_history_goes_on_after_its_finished_steps(self):
-        self.npy(rough())
-        self.run_ranks(2, *HISTORY, '--out', 'whole')
-        for steps, count in (1, 1), (3, 3), (5, 2):  # every time with another number of ranks
-            targets = HISTORY[:]
-            targets[targets.index('--approach') + 1] = ','.join('1e-7,2e-7,1.5e-7,3e-7,5e-8'.split(',')[:steps])
-            self.run_ranks(count, *targets, '--out', 'cut', '--resume')
-        self.assert_same('whole', 'cut')
-
     def test_a_killed_run_goes_on(self):
         self.npy(rough(256, 256))
         self.run_ranks(2, *HISTORY, '--out', 'whole')

@@ -38,12 +38,8 @@ def test_borrowed_arrays_live_as_long_as_they_are_used(rough):
 
 
 def test_certify_judges_pressures(rough):
-    half_space = rc.HalfSpace.under(rough, modulus=1e9)
-    with rc.Contact(half_space) as contact:
-        answer = contact.solve(rough, approach=5e-8)
-        assert contact.certify(answer.pressure, rough, approach=5e-8).certified
-        off = answer.pressure.copy()
-        off[off.argmax() // 64, off.argmax() % 64] *= 1.01
+    with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9)) as contact:
+        off = 1.01 * contact.solve(rough, approach=5e-8).pressure
         caught = refused(rc.NotCertifiedError, "", contact.certify, off, rough, approach=5e-8)
         assert caught.status == rc.Status.UNCERTIFIED and caught.result.residual > 1e-4
         judged = contact.certify(off, rough, approach=5e-8, check=False, want_gap=True)
@@ -81,12 +77,10 @@ def test_closed_contacts_say_so(half_space, sphere_gap):
 
 
 def test_progress_sees_and_stops(rough):
-    seen = []
+    seen, fewer = [], []
     how = {"modulus": 1e9, "approach": 1e-7, "options": {"solver": "gp"}}
     rc.solve(rough, **how, progress=seen.append)
-    assert len(seen) > 5 and [p.iteration for p in seen] == sorted(p.iteration for p in seen)
-    assert seen[-1].kkt < seen[1].kkt and seen[-1].products > 5
-    fewer = []
+    assert seen[-1].kkt < seen[1].kkt and seen[-1].products > 5 and seen[-1].iteration > seen[0].iteration
     rc.solve(rough, **how, progress=fewer.append, every=5)
     assert 0 < len(fewer) < len(seen)
     caught = refused(rc.NotCertifiedError, "", rc.solve, rough, **how, progress=lambda p: p.iteration >= 3)

@@ -19,21 +19,13 @@ def blocks(document=DOCUMENT):
     return re.findall(r"^```python\n(.*?)^```", document.read_text(), re.M | re.S)
 
 
-def test_first_example_runs_in_an_empty_folder(tmp_path):
-    (tmp_path / "first.py").write_text(blocks()[0])
-    ran = subprocess.run([sys.executable, "first.py"], cwd=tmp_path, capture_output=True, text=True)
-    assert ran.returncode == 0, ran.stderr
-    printed = re.search(r"^```python\n.*?^```\n+prints\n+```\n(.*?)^```", DOCUMENT.read_text(), re.M | re.S)[1]
-    assert ran.stdout == printed
-
-
-def test_the_first_program_of_the_readme_runs_as_printed(tmp_path):
-    readme = DOCUMENT.parents[1] / "README.md"
-    program = blocks(readme)[0]
-    (tmp_path / "press.py").write_text(program)
+@pytest.mark.parametrize("page, printed", [("docs/python.md", r"\n+prints\n+```\n"), ("README.md", r"[^`]*?```sh\n.*?```\n+```text\n")])
+def test_the_first_program_runs_in_an_empty_folder_as_printed(page, printed, tmp_path):
+    document = DOCUMENT.parents[1] / page
+    (tmp_path / "press.py").write_text(blocks(document)[0])
     ran = subprocess.run([sys.executable, "press.py"], cwd=tmp_path, capture_output=True, text=True)
-    printed = re.search(r"^python3 press.py\n```\n+```text\n(.*?)^```", readme.read_text(), re.M | re.S)[1]
-    assert (ran.stderr, ran.stdout) == ("", printed)
+    expected = re.search(rf"^```python\n.*?^```{printed}(.*?)^```", document.read_text(), re.M | re.S)[1]
+    assert (ran.stderr, ran.stdout) == ("", expected)
 
 
 def test_other_examples_run_one_after_another(tmp_path, monkeypatch):
