@@ -11,37 +11,25 @@ class Input(RanksTest):
         self.assertIn(says, self.messages(done)[0])
         self.assertEqual(before, sorted(path.name for path in self.folder.iterdir()))
 
-    def press(self, name):
-        return [name, *PRESS, '--approach', '1e-7', '--out', 'out']
-
     def test_files_that_are_no_grid(self):
-        self.assert_refused(*self.press('none.npy'), says='No such file')
-        (self.folder / 'text.npy').write_text('1 2\n3 4\n')
-        self.assert_refused(*self.press('text.npy'), says='text.npy: the file does not begin with')
-        whole = (self.folder / self.npy(rough())).read_bytes()
-        (self.folder / 'short.npy').write_bytes(whole[:-8])
-        self.assert_refused(*self.press('short.npy'), says='short.npy: the file has 49144 bytes of data, 64 x 96 points of 8 bytes need 49152')
-        (self.folder / 'long.npy').write_bytes(whole + b'8')
-        self.assert_refused(*self.press('long.npy'), says='long.npy: the file has 49153 bytes of data')
-        self.npy(rough().astype(np.int32), 'whole.npy')
-        self.assert_refused(*self.press('whole.npy'), says='the numbers are integers')
-        self.npy(rough().astype(np.complex128), 'complex.npy')
-        self.assert_refused(*self.press('complex.npy'), says='data type "<c16" cannot be read')
-        self.npy(np.asfortranarray(rough()), 'columns.npy')
-        self.assert_refused(*self.press('columns.npy'), says='Fortran order')
-        self.npy(rough()[None], 'cube.npy')
-        self.assert_refused(*self.press('cube.npy'), says='is not (ny, nx)')
-        self.npy(np.where(np.arange(6144).reshape(96, 64) == 5000, np.inf, 0), 'infinite.npy')
-        self.assert_refused(*self.press('infinite.npy'), says='the height at ix=8, iy=78 is not finite')
+        whole, z = (self.folder / self.npy(rough())).read_bytes(), rough()
+        infinite = np.where(np.arange(6144).reshape(96, 64) == 5000, np.inf, 0)
+        for name, contents, says in (
+                ('none', None, 'No such file'), ('text', b'1 2\n3 4\n', 'text.npy: the file does not begin with'),
+                ('short', whole[:-8], 'short.npy: the file has 49144 bytes of data, 64 x 96 points of 8 bytes need 49152'),
+                ('long', whole + b'8', 'long.npy: the file has 49153 bytes of data'), ('whole', z.astype(np.int32), 'the numbers are integers'),
+                ('complex', z.astype(np.complex128), 'data type "<c16" cannot be read'), ('columns', np.asfortranarray(z), 'Fortran order'),
+                ('cube', z[None], 'is not (ny, nx)'), ('infinite', infinite, 'the height at ix=8, iy=78 is not finite')):
+            if contents is not None:
+                (self.file if isinstance(contents, bytes) else lambda file, z: self.npy(z, file))(name + '.npy', contents)
+            self.assert_refused(name + '.npy', *PRESS, '--approach', '1e-7', '--out', 'out', says=says)
 
     def test_arguments(self):
         self.npy(rough())
-        self.assert_refused('surface.npy', *PRESS, '--load', '1', '--resume', says='--resume needs --out, the folder of the interrupted run')
-        self.assert_refused('surface.npy', *PRESS, '--load', '1', '--out', 'out', '--checkpoint', '0', says='--checkpoint: "0"')
-        self.assert_refused('surface.npy', *PRESS, '--load', '1', '--tolerance', '7', says='did you mean "--tol"')
-        self.assert_refused('surface.npy', *PRESS, '--load', '1', '--missing', 'fill', says='give reject or exclude')
-        self.assert_refused('surface.npy', *PRESS, '--load', '1', '--set', 'nothing=1', says='nothing')
-        self.assert_refused('surface.npy', *PRESS, '--load', '1', '--solver', 'nnls', says='with this solver')
+        for words, says in (('--resume', '--resume needs --out, the folder of the interrupted run'), ('--out out --checkpoint 0', '--checkpoint: "0"'),
+                            ('--tolerance 7', 'did you mean "--tol"'), ('--missing fill', 'give reject or exclude'), ('--set nothing=1', 'nothing'),
+                            ('--solver nnls', 'with this solver')):
+            self.assert_refused('surface.npy', *PRESS, '--load', '1', *words.split(), says=says)
 
     def test_folders_that_cannot_be_used(self):
         self.npy(rough())

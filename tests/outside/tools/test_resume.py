@@ -70,15 +70,6 @@ class Resume(CommandTest):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assert_fails(*common, "--against", "third.npy", "--approach", "1e-7,2e-7", "--resume", says="checksum")
 
-    def test_what_knows_no_time_is_refused(self):
-        creep = ["solve", self.surface, *PRESS, "--creep", "1:1s"]
-        timed = [*creep, "--load", "1mN", "--time", "0,1s"]
-        self.assert_fails(*timed, "--budget", "E=5%", says="--budget is of elastic bodies")
-        self.assert_fails(*creep, "--closing-pressure", "x", says="--closing-pressure is of elastic bodies")
-        for command in ("analyze", "law"):
-            self.assert_fails(command, self.surface, "--creep", "1:1s", says="has no option")
-        self.assert_fails(*timed, "--out", "made", "--set", "tol=-1", says="tol")
-
     def test_bodies_that_creep_go_on(self):
         targets, times = ["5e-8", "1e-7", "1e-7", "9e-8", "2e-7"], ["0", "1", "30", "30", "60"]
         creep = ["--creep", "0.5:1s,1.5:20s", "--hardness", "5e7", "--quiet"]

@@ -54,19 +54,23 @@ class Write(CommandTest):
         holes[3:6, 7] = np.nan
         return (z, []), (holes, ["--missing", "exclude"]), (z, ["--hardness", "50MPa"])
 
+    def assert_file(self, file, k, z, step, numbers, text):
+        """Fields with their units, coordinates, and the step's numbers. text: of an attribute"""
+        for name, (unit, values) in self.fields(k, z).items():
+            np.testing.assert_array_equal(file[name][:], values)
+            self.assertEqual(text(file[name], "units"), unit)
+        np.testing.assert_allclose(file["x"][:], (np.arange(z.shape[1]) + 0.5) * 1e-6, rtol=1e-14)
+        np.testing.assert_allclose(file["y"][:], (np.arange(z.shape[0]) + 0.5) * 2e-6, rtol=1e-14)
+        self.assert_numbers(step, numbers)
+        self.assertEqual([text(file, name + "_unit") for name in ("load", "mean_pressure", "stiffness")], ["N", "Pa", "N/m"])
+
     def test_hdf5(self):
         h5py = needs("h5py")
         for z, arguments in self.surfaces():
             for k, step in enumerate(self.press("hdf5", *arguments, z=z), 1):
                 with h5py.File(self.folder / ("out/step-%d.h5" % k)) as file:
                     self.assertEqual(set(file), {"x", "y", *self.fields(k, z)})
-                    for name, (unit, values) in self.fields(k, z).items():
-                        np.testing.assert_array_equal(file[name][()], values)
-                        self.assertEqual(file[name].attrs["units"].decode(), unit)
-                    np.testing.assert_allclose(file["x"][()], (np.arange(z.shape[1]) + 0.5) * 1e-6, rtol=1e-14)
-                    np.testing.assert_allclose(file["y"][()], (np.arange(z.shape[0]) + 0.5) * 2e-6, rtol=1e-14)
-                    self.assert_numbers(step, file.attrs.get)
-                    self.assertEqual((file.attrs["load_unit"], file.attrs["mean_pressure_unit"]), (b"N", b"Pa"))
+                    self.assert_file(file, k, z, step, file.attrs.get, lambda of, name: of.attrs[name].decode())
 
     def test_netcdf(self):
         netcdf = needs("netCDF4")
@@ -74,12 +78,8 @@ class Write(CommandTest):
             for k, step in enumerate(self.press("netcdf", *arguments, z=z), 1):
                 with netcdf.Dataset(self.folder / ("out/step-%d.nc" % k)) as file:
                     file.set_auto_mask(False)
-                    for name, (unit, values) in self.fields(k, z).items():
-                        self.assertEqual((file[name].dimensions, file[name].units), (("y", "x"), unit))
-                        np.testing.assert_array_equal(file[name][:], values)
-                    np.testing.assert_allclose(file["y"][:], (np.arange(z.shape[0]) + 0.5) * 2e-6, rtol=1e-14)
-                    self.assert_numbers(step, lambda name: getattr(file, name))
-                    self.assertEqual(file.stiffness_unit, "N/m")
+                    self.assertEqual(file["gap"].dimensions, ("y", "x"))
+                    self.assert_file(file, k, z, step, lambda name: getattr(file, name), getattr)
 
     def test_vti_as_its_format_says(self):
         for z, arguments in self.surfaces():
