@@ -70,32 +70,15 @@ def test_it_ends_one_call_only(half_space, sphere_gap):
         signal.signal(signal.SIGALRM, before)
 
 
-def test_path_keeps_its_steps(large):
-    with pytest.raises(rc.Interrupted) as caught:
-        rc.history(large, modulus=1.0, boundary="free", load=np.tile([1e3, 2e3], 5000), each=lambda k, result: press() if k == 2 else None)
-    done = caught.value.result
+def test_histories_and_batches_keep_what_was_done(large):
+    targets = np.tile([1e3, 2e3], 5000)
+    ended = refused(rc.Interrupted, "", rc.history, large, **FREE, load=targets, each=lambda k, _: press() if k == 2 else None)
+    done = ended.result
     assert done.status == rc.Status.STOP_CANCELLED and 3 <= done.completed < 10000
     assert np.all(np.isfinite(done.load)) and np.allclose(done.load, done.targets[: done.completed], rtol=1e-6)
-
-
-def test_batch_keeps_its_contacts():
     gaps = np.stack([rc.surface.spectral((64, 64), seed=k).undeformed_gap() for k in range(4)])
-    pressed = []
-
-    def each(contact, step, result):  # once: a second Ctrl-C might come when the call has ended
-        if step == 2 and not pressed:
-            pressed.append(1)
-            press()
-
-    with pytest.raises(rc.Interrupted) as caught:
-        rc.batch(
-            undeformed_gap=gaps,
-            **{**FREE, "pitch": 1.0},
-            approach=np.tile([1.0, 2.0], 20000),
-            each=each,
-            options={"threads": 2},
-        )
-    done = caught.value.result
+    how = {**FREE, "undeformed_gap": gaps, "pitch": 1.0, "approach": np.tile([1.0, 2.0], 20000), "options": {"threads": 2}}
+    done = refused(rc.Interrupted, "", rc.batch, **how, each=lambda i, k, _: press() if (i, k) == (0, 2) else None).result
     assert (done.statuses == rc.Status.STOP_CANCELLED).sum() > 4
     assert np.all(np.isfinite(done.load[done.statuses == rc.Status.OK]))
 

@@ -4,7 +4,6 @@ import io
 import sys
 import types
 
-import numpy as np
 import pytest
 
 import roughcontact as rc
@@ -43,34 +42,25 @@ def bars(monkeypatch):
     return Bar.made
 
 
-def test_a_step_counts_iterations(rough, bars):
+def test_bars_count_iterations_and_steps(rough, bars):
+    """Of a step iterations, of a history and of all contacts of a batch steps; a contact shows a bar for each call."""
     found = rc.solve(rough, **PRESS, load=1e-4, progress=True)
     (bar,) = bars
     assert not bar.open and bar.total is None and bar.unit == " iterations" and 0 < bar.n <= found.iterations
     assert bar.said.startswith("residual ") and bar.seen == sorted(bar.seen)
-    assert np.array_equal(found.pressure, rc.solve(rough, **PRESS, load=1e-4).pressure) and len(bars) == 1
-
-
-def test_a_path_counts_steps(rough, bars):
-    rc.history(rough, **PRESS, load=[1e-4, 2e-4, 3e-4], progress=True)
-    (bar,) = bars
-    assert (bar.total, bar.n, bar.unit, bar.open) == (3, 3, " steps", False) and {1, 2, 3} <= set(bar.seen)
-
-
-def test_a_batch_counts_steps_of_all_contacts(rough, bars):
+    loads = {"modulus": 1e9, "load": [1e-4, 2e-4, 3e-4]}
+    rc.history(rough, **loads, progress=True)
+    assert (bars[-1].total, bars[-1].n, bars[-1].unit, bars[-1].open) == (3, 3, " steps", False) and {1, 2, 3} <= set(bars[-1].seen)
     for threads in (1, 2):
-        rc.batch([rough, rough], modulus=1e9, load=[1e-4, 2e-4, 3e-4], threads=threads, progress=True)
+        rc.batch([rough, rough], **loads, threads=threads, progress=True)
         assert (bars[-1].total, bars[-1].n) == (6, 6)
     rc.batch([rough], modulus=1e9, load=1e-4)
-    assert len(bars) == 2
-
-
-def test_a_contact_shows_a_bar_for_each_call(rough, bars):
+    assert len(bars) == 4
     with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9), progress=True, solver="gp") as contact:
         contact.solve(rough, load=1e-4)
         contact.history(load=[2e-4, 3e-4])
         contact.certify(contact.solve(load=1e-4).pressure, load=1e-4)
-    assert [bar.total for bar in bars] == [None, 2, None] and not any(bar.open for bar in bars)
+    assert [bar.total for bar in bars[4:]] == [None, 2, None] and not any(bar.open for bar in bars)
 
 
 def test_without_tqdm_a_warning_says_so(rough, monkeypatch):
