@@ -105,15 +105,16 @@ def map_of(thing: Any, word: str, mask: Any = None, pitch: Any = None, leading: 
     shape = array.shape
     if not 1 <= len(shape) - leading <= 2:
         raise ShapeError(f"{name} have {len(shape)} axes: {leading + 1} or {leading + 2} are needed")
+    none = leading > 0 and shape[0] == 0  # C reads at least one map
     if there is None:
         refuse_one_row(array, name, pitch, leading + 1)
-        heights = array if absent is None else np.where(absent, np.nan, array)
+        heights = np.zeros((1, *shape[1:])) if none else array if absent is None else np.where(absent, np.nan, array)
         struct.heights = pointer(heights)
         keep.append(heights)
     mask = on_host(mask)
     shared = mask is not None and np.ndim(mask) < len(shape)
     points = as_mask(mask, "mask", shape[leading:] if shared else shape)
-    if points is not None:
+    if points is not None and not none:
         points = np.ascontiguousarray(np.broadcast_to(points, shape))
         struct.mask = pointer(points)
         keep.append(points)

@@ -92,6 +92,9 @@ def test_a_batch_of_none_that_is_refused_raises():
     none = {"undeformed_gap": np.zeros((0, 4, 4)), "approach": 1.0, "pitch": 1.0, "check": False}
     refused(rc.OptionError, "", rc.batch, **none, modulus=1.0, options={"threads": -5})
     refused(rc.ArgumentError, "", rc.batch, **none, modulus=-1.0)
+    beyond = np.vstack([np.zeros((1, 16)), np.full((3, 16), np.nan)]).reshape(4, 4, 4)  # what an empty stack must not read
+    for stack in ({"heights": beyond[1:1]}, {"undeformed_gap": beyond[1:1], "mask": np.zeros((4, 4), bool)}):
+        assert rc.batch(**stack, pitch=1.0, modulus=1.0, boundary="free", load=1.0, check=False).load.shape == (0, 1)
 
 
 def test_batch_shows_every_step():
