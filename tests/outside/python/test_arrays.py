@@ -71,6 +71,8 @@ class Topography:
 GAP, ROW, HOLE = np.zeros((3, 4)), -np.linspace(-1, 1, 32) ** 2, np.ma.array(np.zeros((3, 4)), mask=np.eye(3, 4))
 ONE, OF_ROW = {"pitch": 1.0, "modulus": 1.0, "approach": 1.0}, "one axis: give pitch=\\(hx, hy\\)"
 ENDLESS = np.array([[0, np.inf, 0], [-1, 0, np.inf]])
+FREE = rc.HalfSpace((3, 4), pitch=1.0, modulus=1.0, boundary="free")
+READERS = "solve, law, prepare and budget read texts with units"
 REFUSED = [
     (rc.solve, {"undeformed_gap": [[1, 2], [3]]}, ValueError, "gap"),
     (rc.solve, {"undeformed_gap": "flat"}, TypeError, "real numbers"),
@@ -104,6 +106,17 @@ REFUSED = [
     (rc.surface.downsample, {"surface": ROW, "filter": "max"}, rc.ArgumentError, OF_ROW),
     *((call, {"pressure": -ROW}, rc.ArgumentError, OF_ROW) for call in (rc.analysis.area, rc.analysis.patches)),
     (rc.analysis.histogram, {"pressure": -ROW, "bins": 4}, rc.ArgumentError, OF_ROW),
+    *((rc.Contact, {"system": FREE, "options": {"tol": value}}, TypeError, "int, float or str") for value in (None, [1], 1j)),
+    (rc.HalfSpace, {"shape": (4, 4), "boundary": "open"}, rc.ArgumentError, "'free', 'periodic', 'periodic-x' or 'periodic-y'"),
+    (rc.HalfSpace, {"shape": (4, 4, 4)}, rc.ShapeError, "3 axes"),
+    (rc.HalfSpace, {"shape": (4, 4), "pitch": (1, 2, 3)}, rc.ShapeError, "pitch has 3 values"),
+    (rc.HalfSpace, {"shape": (4, 4), "pitch": "0.5um"}, rc.ArgumentError, "pitch is .*" + READERS),
+    (rc.flow, {"gap": GAP, "viscosity": "1mPas", "pressure_drop": 1}, rc.ArgumentError, "viscosity is .*" + READERS),
+    (rc.solve, {"undeformed_gap": GAP, "system": FREE, "modulus": None}, rc.ArgumentError, "pitch and system are both given"),
+    (rc.surface.spectral, {"pitch": 1e-6, "q_rolloff": 20e-6}, rc.ArgumentError, "q_rolloff = 2e-05 is below .*2 pi / wavelength"),
+    (rc.surface.spectral, {"pitch": 1e-6, "q_low": 20e-6}, rc.ArgumentError, "q_low"),
+    (rc.surface.spectral, {"q_rolloff": 20.0}, rc.ArgumentError, "q_rolloff = 20 is above q_high, 3.14"),
+    (rc.surface.spectral, {"q_rolloff": 2.0, "q_high": 1.0}, rc.ArgumentError, "q_rolloff = 2 is above q_high, 1"),
     (rc.direct.cmr, {"heights": ROW, "levels": 1, "modulus": 1.0, "approach": 0.1}, rc.ArgumentError, OF_ROW),
 ]
 
@@ -111,6 +124,8 @@ REFUSED = [
 @pytest.mark.parametrize("call, given, error, words", REFUSED)
 def test_what_is_refused(call, given, error, words):
     more = {**ONE, "approach": [1.0]} if call is rc.history else ONE if call in (rc.solve, rc.batch) else {"pitch": 1.0}
+    more = {} if call is rc.Contact else {**more, "modulus": 1.0} if call is rc.HalfSpace else more
+    more = {**more, "shape": (64, 64), "rms_height": 1e-7} if call is rc.surface.spectral else more
     refused(error, words, call, **{**more, **given})
 
 

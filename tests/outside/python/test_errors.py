@@ -64,11 +64,6 @@ def test_every_status_has_its_exception():
     assert type(error_for(-57, "from a newer library")) is rc.InternalError
 
 
-@pytest.mark.parametrize("value", [None, [1], 1j])
-def test_options_of_no_known_type(value, half_space):
-    refused(TypeError, "int, float or str", rc.Contact, half_space, options={"tol": value})
-
-
 def test_direct_routines_that_stop(small_matrix):
     u = 1.5 - np.linspace(0, 2, 12)
     caught = refused(rc.NotCertifiedError, "", rc.direct.gp, small_matrix, u, tol=1e-14, max_iter=1)
@@ -77,11 +72,3 @@ def test_direct_routines_that_stop(small_matrix):
     assert np.array_equal(stopped.p, caught.result.p) and stopped.message
     refused(rc.ShapeError, "u has shape", rc.direct.nnls, small_matrix, u[:5])
     refused(rc.OptionError, "tol", rc.direct.admm, small_matrix, u, tol=1.0)
-
-
-def test_names_that_are_not_choices(half_space, sphere_gap):
-    refused(rc.ArgumentError, "'free', 'periodic', 'periodic-x' or 'periodic-y'", rc.HalfSpace, (4, 4), pitch=1, modulus=1, boundary="open")
-    with pytest.raises(rc.ArgumentError, match="pitch and system are both given"):
-        rc.solve(undeformed_gap=sphere_gap, system=half_space, pitch=1.0, load=1)
-    refused(rc.ShapeError, "3 axes", rc.HalfSpace, (4, 4, 4), pitch=1, modulus=1)
-    refused(rc.ShapeError, "pitch has 3 values", rc.HalfSpace, (4, 4), pitch=(1, 2, 3), modulus=1)

@@ -76,30 +76,6 @@ def test_nothing_beside_a_system_is_ignored(rough):
         refused(rc.ArgumentError, "unit and system are both given", call, rough.heights, system=half_space, load=1e-4, unit="m")
 
 
-def test_wavelengths_are_no_wave_numbers():
-    how = {"pitch": 1e-6, "rms_height": 1e-7}
-    refused(
-        rc.ArgumentError,
-        "q_rolloff = 2e-05 is below .*2 pi / wavelength",
-        rc.surface.spectral,
-        (64, 64),
-        q_rolloff=20e-6,
-        **how,
-    )
-    refused(rc.ArgumentError, "q_low", rc.surface.spectral, (64, 64), q_low=20e-6, **how)
-    rc.surface.spectral((64, 64), q_rolloff=2 * np.pi / 64e-6, **how)
-    refused(rc.ArgumentError, "q_rolloff = 20 is above q_high, 3.14", rc.surface.spectral, (64, 64), pitch=1.0, q_rolloff=20.0)
-    refused(
-        rc.ArgumentError,
-        "q_rolloff = 2 is above q_high, 1",
-        rc.surface.spectral,
-        (64, 64),
-        pitch=1.0,
-        q_rolloff=2.0,
-        q_high=1.0,
-    )
-
-
 def test_modules_show_what_they_are_for():
     assert set(dir(rc)) == {*rc.__all__, "__version__"} and not any(name.startswith("_") for name in rc.__all__)
     for module in (rc.plot, rc.surface, rc.analysis, rc.direct, rc.raw):

@@ -156,6 +156,9 @@ def test_words(file):
         assert words in said, said
     assert all(len(row) == len(wording.STEP_HEAD) for row in wording.step_rows(content))
     assert all(len(row) == len(wording.PROOF_HEAD) for row in wording.proof_rows(content))
+    tables = (wording.step_rows(content), wording.proof_rows(content), wording.surface_rows(content))
+    cells = [cell for rows in tables for row in rows for cell in row]
+    assert not [cell for cell in cells if re.search(r"\de[-+]\d|(^|\s)-0(\s|$)", cell)]  # in programmers' form
     assert dict(wording.surface_rows(content))["rms height"] == "100 nm"
     assert wording.conclusion(collected(file, "--pressure", "5GPa", "--hardness", "1TPa")).endswith(
         "below the hardness of 1 TPa."
@@ -168,29 +171,20 @@ def test_words(file):
     assert "no hardness" not in " ".join(wording.assumptions(yielding))
 
 
-def test_what_was_pressed_stands_below_the_title(file):
+def test_facts_intervals_and_where_theory_holds(file):
     content = collected(file, "--pressure", "20MPa,100MPa", "--hardness", "8GPa")
     said = " ".join(wording.facts(content))
     loads = [with_prefix(step.load, "N") for step in content.steps]
     for words in ("E* 231 GPa", "hardness 8 GPa", "periodic boundary", f"2 loads, {loads[0]} to {loads[1]}", content.version):
         assert words in said, said
     assert datetime.date.fromisoformat(content.date) and content.date in said
-
-
-def test_intervals_have_a_half_width(file):
-    content = collected(file, "--pressure", "20MPa")
     r = content.steps[-1]
     middle, half = (r.load_lower + r.load_upper) / 2, (r.load_upper - r.load_lower) / 2
     assert wording.proof_rows(content)[-1][3] == f"{with_prefix(middle, 'N', 6)} ± {with_prefix(half, 'N', 2)}"
     assert "load, proven" in wording.PROOF_HEAD and "area, proven" in wording.PROOF_HEAD
     assert wording._interval(np.nan, 1.0, "N") == "not known" and wording._interval(1.0, 2.0, "%") == "1.5 % ± 0.5 %"
-
-
-def test_theory_only_where_it_holds(file):
-    assert collected(file, "--pressure", "20MPa").persson
-    assert collected(file, "--pressure", "20MPa", "--hardness", "8GPa").persson is None
     free = [file, "--pitch", "1um", "--unit", "um", *STEEL, "--boundary", "free", "--pressure", "20MPa"]
-    assert of(free).persson is None
+    assert content.persson is None and of(free).persson is None and collected(file, "--pressure", "20MPa").persson
 
 
 def test_the_page_follows_the_dark():
@@ -260,10 +254,3 @@ def test_numbers_have_sensible_digits():
     assert with_prefix(1.7e-7, "N", 2) == "170 nN" and with_prefix(1.734e-7, "N", 2) == "170 nN"
     assert with_prefix(-0.0, "m") == "0 m" and with_prefix(12.345e-9, "m", 2) == "12 nm"
     assert wording._power(1e-8) == "1.0·10⁻⁸" and wording._power(0.0) == "0" and wording._power(1.26e-13) == "1.3·10⁻¹³"
-
-
-def test_no_number_of_a_report_is_in_programmers_form(file):
-    content = collected(file, "--pressure", "5MPa,20MPa", "--tol", "1e-6")
-    tables = (wording.step_rows(content), wording.proof_rows(content), wording.surface_rows(content))
-    cells = [cell for rows in tables for row in rows for cell in row]
-    assert not [cell for cell in cells if re.search(r"\de[-+]\d|(^|\s)-0(\s|$)", cell)]

@@ -78,15 +78,6 @@ def test_what_is_assumed_is_said(tmp_path, micrometres):
         rc.solve(micrometres, pitch=0.5, unit="um", against=tmp_path / "other.gsf", load=1e-4, **PRESS)
 
 
-def test_numbers_alone_refuse_texts_with_units(micrometres):
-    """The message names the calls that read them."""
-    for name, call in (
-        ("pitch", lambda: rc.HalfSpace((24, 24), pitch="0.5um", modulus=1)),
-        ("viscosity", lambda: rc.flow(micrometres, pitch=0.5, viscosity="1mPas", pressure_drop=1)),
-    ):
-        refused(rc.ArgumentError, f"{name} is .*solve, law, prepare and budget read texts with units", call)
-
-
 HOW = {"modulus": 1e9, "load": 1e-4}
 
 

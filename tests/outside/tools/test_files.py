@@ -64,12 +64,6 @@ class Writing(CommandTest):
     def steps_of(self, *arguments, out="out"):
         self.solve(self.npy(rough()), *PRESS[:2], "--pitch", "1e-6", "--quiet", *arguments, "--out", out, env=without_gnuplot())
 
-    def test_names_sort_as_the_steps_do(self):
-        self.steps_of("--approach", "1e-8:1e-7:10")
-        for stem in ("gap", "pressure"):
-            names = [name for name in self.names("out") if name.startswith(stem)]
-            self.assertEqual(names, ["%s-%02d.npy" % (stem, k) for k in range(1, 11)])
-
     def test_a_history_that_grows_gets_new_names(self):
         targets = ["%de-9" % k for k in range(10, 22)]
         self.steps_of("--approach", ",".join(targets), "--write", "vti", out="whole")

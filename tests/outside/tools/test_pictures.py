@@ -6,7 +6,7 @@ import shutil
 import sys
 
 import harness
-from harness import CommandTest, np, rough, without_gnuplot
+from harness import CommandTest, np, rough
 
 CONTACT = np.array([0xE6, 0x00, 0x2E])
 EXCLUDED = np.array([0xCC, 0xE0, 0xF5])
@@ -167,11 +167,6 @@ class Pictures(CommandTest):
         """They cost what the solve does otherwise."""
         ((_, _, image),) = self.press(rough(512, 512, rms=1e-6), "1MPa")
         self.assertLess(image.shape[0] * image.shape[1], 1.3e6)
-
-    def test_history_of_others_is_kept(self):
-        (self.folder / "out").mkdir()
-        self.file("out/history.png", "mine")
-        self.assert_fails("solve", self.npy(rough(32, 32)), "--pitch", "1um", "--modulus", "1GPa", "--pressure", "1e5,1e6", "--out", "out", says="history.png", env=without_gnuplot())
 
 
 if __name__ == "__main__":
