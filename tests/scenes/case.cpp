@@ -3,7 +3,9 @@
 #include <roughcontact/history.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "draw.h"
@@ -75,6 +77,19 @@ Case::Case(std::uint64_t seed, bool reduced)
       pair_(only && able(*only, scene_, system_, control_of(scene_)) ? *only : draw_pair(scene_, system_)),
       exact_(scene_.steps.size()),
       tied_(scene_.steps.size()) {
+  const bool cmr = pair_.solver == "cmr";
+  if (Random random(scene_.seed, 110); cmr) {
+    constexpr std::array levels{"0", "2", "3"}, filters{"subsample", "mean", "max"};
+    constexpr std::array inner{"auto", "nnls", "polonsky-keer", "haar-cg"};
+    scene_.settings.insert(scene_.settings.end(), {{"cmr.levels", random.one_of(levels)},
+                                                   {"cmr.filter", random.one_of(filters)},
+                                                   {"cmr.area", random.chance(0.5) ? "side" : "diagonal"},
+                                                   {"cmr.select", random.chance(0.5) ? "gap" : "influence"},
+                                                   {"cmr.radius", pairs::text(random.uniform(1, 3))},
+                                                   {"cmr.inner", random.one_of(inner)}});
+  } else if (system_.op != RC_OPERATOR_CALLBACK && !scene_.large() && random.chance(0.1)) {
+    scene_.settings.emplace_back("certify_backend", "dense");
+  }
   answers_ = solve_all(open().get());
 }
 
@@ -116,11 +131,18 @@ StepAnswer Case::solve(rc_contact* contact, const rc_step& step) const {
   if (hard) said(answer.indentation);
   answer.p.assign(n, -7);
   answer.gap.assign(n, -7);
-  answer.result = RC_RESULT_INIT;
+  static unsigned char filling = 0;  // what a result holds before does not matter
+  std::memset(static_cast<void*>(&answer.result), filling += 73, sizeof answer.result);
+  answer.result.struct_size = sizeof answer.result;
   answer.result.p = RC_OUT(answer.p.data());
   answer.result.gap = RC_OUT(answer.gap.data());
+  const rc_result before = answer.result;
   answer.status = rc_contact_solve(contact, &step, &answer.result);
   answer.message = rc_last_error();
+  if (answer.status < 0) {
+    check(std::memcmp(&answer.result, &before, sizeof before) == 0, "a refused step writes its result");
+    answer.result = RC_RESULT_INIT;
+  }
   answer.result.p = answer.result.gap = rc_array{};
   if (hard) said(answer.indentation_after);
   return answer;
@@ -128,8 +150,14 @@ StepAnswer Case::solve(rc_contact* contact, const rc_step& step) const {
 
 std::vector<StepAnswer> Case::solve_all(rc_contact* contact) const {
   std::vector<StepAnswer> answers;
-  for (const Step& step : scene_.steps) {
-    answers.push_back(solve(contact, step));
+  for (std::size_t k = 0; k < scene_.steps.size(); ++k) {
+    rc_step given = step(scene_.steps[k]);
+    const std::uint64_t kind = (scene_.seed + k) % 3;
+    if (k > 0 && kind > 0 && scene_.steps[k].surface == scene_.steps[k - 1].surface) {  // those of the step before
+      given.undeformed_gap.data = nullptr;
+      if (kind == 1) given.mask.data = nullptr;
+    }
+    answers.push_back(solve(contact, given));
     if (answers.back().status != RC_OK) break;
   }
   return answers;

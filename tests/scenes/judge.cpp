@@ -1,6 +1,8 @@
 // Judges the answer of one step.
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 #include <limits>
 
 #include "property.h"
@@ -47,9 +49,28 @@ void near(Real value, Real wanted, Real allowed, const char* what) {
   need(std::abs(value - wanted) <= allowed, std::string(what) + " " + number(value) + " instead of " + number(wanted));
 }
 
+void judge_names(const Case& c, const rc_result& r) {
+  const Scene& scene = c.scene();
+  const std::string solver = c.pair().solver, backend = c.pair().backend;
+  if (r.contacts > 0)
+    need((solver == "auto" || solver == r.solver) && (backend == "auto" || backend == r.backend), "another pair");
+  const std::string kernel = !scene.halfspace()       ? ""
+                             : scene.kernel != "auto" ? scene.kernel
+                             : scene.periodic()       ? "spectral"
+                                                      : "love";
+  need(r.kernel == kernel, std::string("the kernel is ") + r.kernel);
+  need(r.contacts == 0 || (r.contacts <= r.candidates && r.candidates <= r.modelled && r.modelled <= r.points),
+       "contacts <= candidates <= modelled <= points");
+  need(r.model_nx == scene.system.nx && r.model_ny == scene.system.ny && r.left_out == 0, "the answer is of another grid");
+  need(r.seconds >= 0 && r.seconds < 1e4 && r.setup_seconds >= 0 && r.setup_seconds < 1e4, "times");
+  for (const auto& [key, value] : scene.settings)
+    if (key == "stiffness") need(value != "0" || std::isnan(r.stiffness), "a stiffness that was not asked for");
+}
+
 void judge_sums(const Case& c, const StepAnswer& answer, const Sums& sums, double target) {
   const Scene& scene = c.scene();
   const rc_result& r = answer.result;
+  judge_names(c, r);
   const Real cell = scene.cell_area(), load = cell * sums.p, n = static_cast<Real>(scene.points());
   near(r.load, load, 1e-12L * load, "load");
   near(r.mean_pressure, sums.p / n, 1e-12L * sums.p / n, "mean_pressure");
@@ -103,6 +124,51 @@ void judge_certified(const Case& c, const Surface& surface, const StepAnswer& an
   near(r.energy, energy * cell, cell * (1e-12L * size + noise * sums.p), "energy");
 }
 
+void judge_residuals(const Case& c, const Surface& surface, const StepAnswer& answer, double target) {
+  const Reals gap = gap_of(c, surface, answer);
+  const Real scale = residual_scale(c.scene(), surface, answer, target), noise = product_noise(c, surface, answer), cap = c.cap(),
+             most = pairs::largest(answer.p);
+  if (!(scale > 0)) return;
+  Real dual = 0, both = 0, primal = 0, sum = 0;
+  for (std::size_t i = 0; i < gap.size(); ++i) {
+    if (!surface.included(i)) continue;
+    near(answer.gap[i], gap[i], noise, ("the gap" + at_point(i) + " is").c_str());
+    const Real p = answer.p[i], room = gap[i] < 0 && cap < HUGE_VALL ? 1 - p / cap : HUGE_VALL;
+    sum += p;
+    primal = std::max({primal, p < 0 ? -p / most : 0, p / cap - 1});
+    if (gap[i] < 0) dual = std::max(dual, std::min(room, -gap[i] / scale));
+    if (p > 0) both = std::max(both, std::min({p / most, room, std::abs(gap[i]) / scale}));
+  }
+  const Real allowed = 2 * noise / scale + 1e-12L;
+  near(answer.result.kkt_dual, dual, allowed + 1e-9L * dual, "kkt_dual");
+  near(answer.result.kkt_complementarity, both, allowed + 1e-9L * both, "kkt_complementarity");
+  near(answer.result.kkt_primal, primal, 1e-14L, "kkt_primal");
+  const Real load = static_cast<Real>(c.scene().cell_area()) * sum;
+  if (c.scene().by_load() && target > 0) {
+    const Real wanted = load_of(c.scene(), target);
+    near(answer.result.kkt_control, std::abs(load - wanted) / wanted, 1e-11L * (1 + load / wanted), "kkt_control");
+  }
+  const rc_result& r = answer.result;
+  const double worst = std::max({r.kkt_primal, r.kkt_dual, r.kkt_complementarity, r.kkt_control});
+  need(worst <= r.tolerance ? answer.status != RC_UNCERTIFIED : answer.status != RC_OK,
+       std::string("residuals of ") + number(worst) + " with " + rc_status_name(answer.status));
+}
+
+void need_same_answer(const StepAnswer& found, const StepAnswer& wanted, const std::string& what) {
+  need(found.status == wanted.status, what + ": " + rc_status_name(found.status));
+  if (found.status < 0) return;
+  pairs::check_same(found.p, wanted.p, what + ": p");
+  pairs::check_same(found.gap, wanted.gap, what + ": gap");
+  rc_result a = found.result;
+  const rc_result& b = wanted.result;
+  a.seconds = b.seconds;
+  a.setup_seconds = b.setup_seconds;
+  need(std::memcmp(&a, &b, offsetof(rc_result, solver)) == 0, what + ": a number of the result differs");
+  need(std::string(a.solver) == b.solver && std::string(a.backend) == b.backend && std::string(a.kernel) == b.kernel &&
+           std::string(a.note) == b.note,
+       what + ": a text of the result differs");
+}
+
 Verdict judge_exact(const Case& c, const Surface& surface, const StepAnswer& answer, const Exact& exact, double target) {
   if (exact.worth == Worth::unknown) return Verdict::undecidable;
   const Scene& scene = c.scene();
@@ -138,6 +204,10 @@ Verdict judge_exact(const Case& c, const Surface& surface, const StepAnswer& ans
   const Real sharp = exact.inverse * allowed + exact.error;
   need(off <= sharp,
        "p is off by " + number(off) + " of " + number(exact_most) + ", at most " + number(sharp) + " by the tolerance");
+  if (!tied && std::isfinite(answer.result.stiffness)) {
+    const Real stiffness = exact.stiffness * static_cast<Real>(scene.cell_area());
+    near(answer.result.stiffness, stiffness, (tol + 1e-6L) * stiffness, "stiffness");
+  }
   return Verdict::held;
 }
 
@@ -169,7 +239,7 @@ Verdict judge_intervals(const Case& c, const Surface& surface, const StepAnswer&
     need(!surface.included(i) || off <= static_cast<Real>(r.gap_error) + 2 * product_noise(c, surface, answer),
          "the gap is off by " + number(off) + ", proven are " + number(r.gap_error));
   }
-  if (!std::isnan(r.duality_gap)) {
+  if (!std::isnan(r.duality_gap) && *std::ranges::min_element(answer.p) >= 0) {
     const Real least = exact.functional * cell, noise = product_noise(c, surface, answer) * static_cast<Real>(r.load),
                room = noise + 1e-12L * std::abs(least) + 1e-9L * static_cast<Real>(r.duality_gap);
     need(static_cast<Real>(r.energy) >= least - room, "the energy " + number(r.energy) + " is below the least, " + number(least));

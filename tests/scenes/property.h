@@ -45,6 +45,7 @@ std::span<const Kind> properties_of_slopes();
 std::span<const Kind> properties_of_laws();
 std::span<const Kind> properties_of_costs();
 std::span<const Kind> properties_of_creep();
+std::span<const Kind> properties_of_ways();
 std::span<const Kind> properties_of_flows();  // these two: where libroughcontact-flow is built
 std::span<const Kind> properties_of_closing();
 
@@ -54,6 +55,10 @@ inline void need(bool condition, const std::string& what) {
   if (!condition) throw pairs::Failure(what);
 }
 
+/** The residuals and the gap are those of the pressures, whether certified or not. */
+void judge_residuals(const Case& c, const Surface& surface, const StepAnswer& answer, double target);
+/** Every member but those of time, pressures and gap. */
+void need_same_answer(const StepAnswer& found, const StepAnswer& wanted, const std::string& what);
 /** The answer is what its solver must certify: `target` of the scene's control. */
 void judge_certified(const Case& c, const Surface& surface, const StepAnswer& answer, double target);
 /** It is the exact one, as closely as tol promises. */

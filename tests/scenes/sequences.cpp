@@ -219,24 +219,29 @@ class AsAgain final : public Property {
  public:
   std::string ask(const Case& c) override {
     if (!all_certified(c)) return "not certified";
-    first_ = pressures_of(c.answers());
     const Handle contact = c.open({{"threads", std::to_string(1 + c.scene().seed % 4)}});
-    again_ = pressures_of(c.solve_all(contact.get()));
+    threads_ = c.solve_all(contact.get());
     if (rc_contact_reset(contact.get()) != RC_OK) return "refused";
-    for (const Field& p : pressures_of(c.solve_all(contact.get()))) again_.push_back(p);
+    reset_ = c.solve_all(contact.get());
     return "";
   }
-  Verdict judge(const Case&) const override {
-    const auto half = static_cast<std::ptrdiff_t>(first_.size());
-    need(again_.size() == 2 * first_.size(), "steps are missing");
-    need_same_pressures(first_, {again_.begin(), again_.begin() + half}, "other threads");
-    need_same_pressures(first_, {again_.begin() + half, again_.end()}, "after a reset");
+  Verdict judge(const Case& c) const override {
+    const std::size_t steps = c.answers().size();
+    need(threads_.size() == steps && reset_.size() == steps, "steps are missing");
+    for (std::size_t k = 0; k < steps; ++k) {
+      need_same_answer(threads_[k], c.answers()[k], "other threads");
+      need_same_answer(reset_[k], c.answers()[k], "after a reset");
+    }
     return Verdict::held;
   }
-  bool spoil(const Case&, Random& random) override { return spoil_pressure(again_, random); }
+  bool spoil(const Case&, Random& random) override {
+    StepAnswer& answer = random.chance(0.5) ? threads_.back() : reset_.back();
+    random.chance(0.5) ? ++answer.result.left_out : answer.p.front() += 1;
+    return true;
+  }
 
  private:
-  std::vector<Field> first_, again_;  // the latter twice
+  std::vector<StepAnswer> threads_, reset_;
 };
 
 // A step that has no answer is refused, writes nothing, and leaves the contact as it was.

@@ -247,7 +247,7 @@ class Indentation final : public OfSteps {
   }
 };
 
-// Intervals of pressures that are known to be wrong.
+// Residuals and intervals of pressures that are known to be wrong, also in tension; of every eighth scene they are right.
 class OfWrong final : public Property {
  public:
   std::string ask(const Case& c) override {
@@ -257,16 +257,21 @@ class OfWrong final : public Property {
     Random random(c.scene().seed, 300);
     const double share = random.decades(-8, -1), size = share * first.result.max_pressure;
     digits_ = static_cast<int>(std::round(-std::log10(share)));
-    const std::int64_t way = random.below(4);
+    way_ = random.below(8);
     Field p = first.p;
     for (std::size_t i = 0; i < p.size(); ++i) {
       if (!c.surface(0).included(i)) continue;
-      const bool changed = way == 0 || (way == 1 && p[i] > 0) || (way == 2 && random.chance(0.1)) || way == 3;
-      if (changed) p[i] += size * (way == 3 ? std::cos(0.5 * static_cast<double>(i)) : random.normal());
+      const bool changed = way_ == 0 || (way_ == 1 && p[i] > 0) || (way_ == 2 && random.chance(0.1)) || way_ == 3;
+      if (changed) p[i] += size * (way_ == 3 ? std::cos(0.5 * static_cast<double>(i)) : random.normal());
+      if (way_ == 4 && (p[i] == first.result.max_pressure || random.chance(0.05))) p[i] = 0;
+      if (way_ == 5) p[i] = 0;
       p[i] = std::min(std::max(p[i], 0.0), c.scene().hard() ? c.scene().system.hardness : HUGE_VAL);
+      if (way_ == 6 && random.chance(0.1)) p[i] = -size;
     }
     const Handle contact = c.open();
     rc_step step = c.step(c.scene().steps.front());
+    if (way_ == 3 && c.scene().by_load()) step.target *= 1 + share;
+    target_ = step.target;
     if (c.scene().control == RC_CONTROL_AREA) return "control by area";
     answer_ = first;
     answer_.p = p;
@@ -279,15 +284,23 @@ class OfWrong final : public Property {
     if (answer_.status < 0) return "refused";
     exact_ = c.exact_of(answer_, c.surface(0), false);
     exact_load_ = exact_.sum * static_cast<Real>(c.scene().cell_area());
-    return std::isnan(answer_.result.load_lower) ? "nothing is proven" : "";
+    return "";
   }
-  Verdict judge(const Case& c) const override { return judge_intervals(c, c.surface(0), answer_, exact_); }
+  Verdict judge(const Case& c) const override {
+    judge_residuals(c, c.surface(0), answer_, target_);
+    const rc_result& r = answer_.result;
+    need(way_ < 7 || std::max(r.kkt_dual, r.kkt_complementarity) <= 2 * r.tolerance, "the certified answer is not certified");
+    need(r.iterations == 0, "a certificate iterates");
+    return std::isnan(r.load_lower) ? Verdict::held : judge_intervals(c, c.surface(0), answer_, exact_);
+  }
   bool spoil(const Case& c, Random& random) override {
     if (!exact_.usable() || exact_.sum == 0) return false;
     rc_result& r = answer_.result;
     const Real load = exact_.sum * static_cast<Real>(c.scene().cell_area());
     if (exact_.error * static_cast<Real>(exact_.p.size()) > 1e-8L * exact_.sum) return false;
-    if (random.chance(0.5))
+    if (std::isnan(r.load_lower) || random.chance(0.3))
+      r.kkt_complementarity += 0.01;
+    else if (random.chance(0.5))
       r.load_lower = static_cast<double>(load * (1 + 1e-9L));
     else
       r.load_upper = static_cast<double>(load * (1 - 1e-9L));
@@ -306,6 +319,8 @@ class OfWrong final : public Property {
   StepAnswer answer_;
   Exact exact_;
   Real exact_load_ = 0;
+  double target_ = 0;
+  std::int64_t way_ = 0;
   int digits_ = 0;
 };
 

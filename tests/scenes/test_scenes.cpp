@@ -32,7 +32,7 @@ struct Tally {
 std::vector<Kind> all_kinds() {
   std::vector<Kind> all;
   for (const auto& some : {properties_of_steps(), properties_of_sequences(), properties_of_slopes(), properties_of_laws(),
-                           properties_of_costs(), properties_of_creep()})
+                           properties_of_costs(), properties_of_creep(), properties_of_ways()})
     all.insert(all.end(), some.begin(), some.end());
 #ifdef RC_SCENES_FLOW
   for (const auto& some : {properties_of_flows(), properties_of_closing()}) all.insert(all.end(), some.begin(), some.end());

@@ -179,26 +179,4 @@ void check_against_naive(const Problem& problem, const Answer& answer) {
     if (problem.included(i)) check_near(answer.gap[i], expected.gap[i], 10 * round_off * largest(expected.gap), "gap");
 }
 
-Field solve_linear(Field matrix, Field right) {
-  const std::size_t n = right.size();
-  const auto l = [&](std::size_t i, std::size_t j) -> double& { return matrix[i * n + j]; };
-  for (std::size_t j = 0; j < n; ++j) {
-    for (std::size_t k = 0; k < j; ++k) l(j, j) -= l(j, k) * l(j, k);
-    l(j, j) = std::sqrt(l(j, j));
-    for (std::size_t i = j + 1; i < n; ++i) {
-      for (std::size_t k = 0; k < j; ++k) l(i, j) -= l(i, k) * l(j, k);
-      l(i, j) /= l(j, j);
-    }
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t k = 0; k < i; ++k) right[i] -= l(i, k) * right[k];
-    right[i] /= l(i, i);
-  }
-  for (std::size_t i = n; i-- > 0;) {
-    for (std::size_t k = i + 1; k < n; ++k) right[i] -= l(k, i) * right[k];
-    right[i] /= l(i, i);
-  }
-  return right;
-}
-
 }  // namespace pairs

@@ -25,7 +25,4 @@ Certificate certificate(const Problem& problem, const Field& matrix, const Field
 /** The answer's residuals, load, energy, counts and gap are those of its pressures and approach. */
 void check_against_naive(const Problem& problem, const Answer& answer);
 
-/** Solves a small symmetric positive definite system by Cholesky's method. */
-Field solve_linear(Field matrix, Field right);
-
 }  // namespace pairs

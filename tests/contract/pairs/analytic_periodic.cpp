@@ -73,14 +73,6 @@ void wave_is_westergaards(const Pair& pair, std::int64_t ny, double t) {
     check(errors[2] < 0.6 * errors[0], "the pressure does not converge: " + text(errors[0]) + " to " + text(errors[2]));
 }
 
-void wave_does_not_depend_on_its_width(const Pair& pair) {
-  const Wave wave;
-  const Answer one = solved(wave_problem(wave, 128, 1, 0.25), pair), four = solved(wave_problem(wave, 128, 4, 0.25), pair);
-  Field repeated;
-  for (int k = 0; k < 4; ++k) repeated.insert(repeated.end(), one.p.begin(), one.p.end());
-  check_near(four.p, repeated, 1e-9, "p");
-}
-
 void wave_at_given_approach(const Pair& pair) {
   const Wave wave;
   Problem problem = wave_problem(wave, 256, 1, 0.5);
@@ -185,7 +177,6 @@ std::vector<Test> periodic_analytic_tests() {
     for (const std::int64_t ny : {1, 4})
       add_for_pairs(tests, "wave_is_westergaards/load_" + text(t) + "/ny_" + std::to_string(ny), RC_BOUNDARY_PERIODIC,
                     [=](const Pair& pair) { wave_is_westergaards(pair, ny, t); });
-  add_for_pairs(tests, "wave_does_not_depend_on_its_width", RC_BOUNDARY_PERIODIC, wave_does_not_depend_on_its_width);
   add_for_pairs(tests, "wave_at_the_approach_of_half_the_full_pressure_carries_it", RC_BOUNDARY_PERIODIC, wave_at_given_approach);
   add_for_pairs(tests, "full_contact_is_exact", RC_BOUNDARY_PERIODIC, full_contact_is_exact);
   for (const std::int32_t boundary : {RC_BOUNDARY_PERIODIC_X, RC_BOUNDARY_PERIODIC_Y})

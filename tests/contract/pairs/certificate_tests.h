@@ -1,4 +1,4 @@
-// The parts of pairs.certificate.
+// A part of pairs.certificate.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,6 @@
 
 namespace pairs {
 
-std::vector<Test> tests_on_cases();
 std::vector<Test> tests_of_liars();
 
 }  // namespace pairs

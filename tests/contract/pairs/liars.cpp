@@ -14,44 +14,33 @@ namespace pairs {
 
 namespace {
 
-template <class Value> void fill(const rc_problem* problem, double* p, Value value) {
-  for (std::int64_t i = 0; i < problem->n; ++i) p[i] = value(i);
-}
+constexpr double none = std::numeric_limits<double>::quiet_NaN(), endless = std::numeric_limits<double>::infinity();
 
-rc_status no_pressure(const rc_host*, const rc_problem* problem, const rc_options*, double* p, double*) {
-  fill(problem, p, [](std::int64_t) { return 0.0; });
-  return RC_OK;
-}
+// A lie: the pressure of every point, or as a share of the load; that of the first point; the approach; the status.
+struct Lie {
+  const char* name;
+  double p, first, approach;
+  rc_status status;
+  bool by_load;
+};
+constexpr Lie lies[] = {
+    {"no-pressure", 0, 0, 0, RC_OK, false},
+    {"uniform-pressure", 1, 1, 1, RC_OK, true},
+    {"tension", -1, -1, 0, RC_OK, false},
+    {"not-a-number", none, none, none, RC_OK, true},
+    {"infinity", 0, endless, 0, RC_OK, false},
+    {"nonsense-status", 0, 0, 0, 4711, false},
+    {"failure-without-words", 0, 0, 0, RC_ERR_NUMERIC, false},
+};
 
-rc_status uniform_pressure(const rc_host*, const rc_problem* problem, const rc_options*, double* p, double* d) {
-  const double sum = problem->control == RC_CONTROL_LOAD ? problem->load : 1;
-  fill(problem, p, [&](std::int64_t) { return sum / static_cast<double>(problem->n); });
-  if (problem->control == RC_CONTROL_LOAD) *d = 1;
-  return RC_OK;
+template <std::size_t which> rc_status tell(const rc_host*, const rc_problem* problem, const rc_options*, double* p, double* d) {
+  constexpr Lie lie = lies[which];
+  const bool by_load = problem->control == RC_CONTROL_LOAD;
+  std::fill_n(p, problem->n, lie.p * (by_load ? problem->load : 1) / static_cast<double>(lie.by_load ? problem->n : 1));
+  if (lie.first != lie.p) p[0] = lie.first;
+  if (by_load) *d = lie.approach;
+  return lie.status;
 }
-
-rc_status tension(const rc_host*, const rc_problem* problem, const rc_options*, double* p, double*) {
-  fill(problem, p, [](std::int64_t) { return -1.0; });
-  return RC_OK;
-}
-
-rc_status not_a_number(const rc_host*, const rc_problem* problem, const rc_options*, double* p, double* d) {
-  fill(problem, p, [](std::int64_t) { return std::numeric_limits<double>::quiet_NaN(); });
-  if (problem->control == RC_CONTROL_LOAD) *d = std::numeric_limits<double>::quiet_NaN();
-  return RC_OK;
-}
-
-rc_status infinity(const rc_host*, const rc_problem* problem, const rc_options*, double* p, double*) {
-  fill(problem, p, [](std::int64_t i) { return i == 0 ? std::numeric_limits<double>::infinity() : 0.0; });
-  return RC_OK;
-}
-
-rc_status nonsense_status(const rc_host*, const rc_problem* problem, const rc_options*, double* p, double*) {
-  fill(problem, p, [](std::int64_t) { return 0.0; });
-  return 4711;
-}
-
-rc_status failure_without_words(const rc_host*, const rc_problem*, const rc_options*, double*, double*) { return RC_ERR_NUMERIC; }
 
 // Projected steps along the gap, for approach control.
 rc_status projected_steps(const rc_host*, const rc_problem* problem, const rc_options*, double* p, double*) {
@@ -71,28 +60,14 @@ rc_status projected_steps(const rc_host*, const rc_problem* problem, const rc_op
   return RC_STOP_STALLED;
 }
 
-constexpr rc_solver solver(const char* name, decltype(rc_solver::solve) function) {
-  return {sizeof(rc_solver), name, "a test's", "BSD-3-Clause", 0, RC_CONTROL_APPROACH, 0, 0, nullptr, function};
+constexpr rc_solver solver(const char* name, decltype(rc_solver::solve) function, bool by_load = false) {
+  const std::uint32_t controls = RC_CONTROL_APPROACH | (by_load ? RC_CONTROL_LOAD : 0);
+  return {sizeof(rc_solver), name, "a test's", "BSD-3-Clause", 0, controls, 0, 0, nullptr, function};
 }
-
-constexpr rc_solver with_load(rc_solver base) {
-  base.controls |= RC_CONTROL_LOAD;
-  return base;
-}
-
-const rc_solver solvers[] = {
-    solver("no-pressure", no_pressure),
-    with_load(solver("uniform-pressure", uniform_pressure)),
-    solver("tension", tension),
-    with_load(solver("not-a-number", not_a_number)),
-    solver("infinity", infinity),
-    solver("nonsense-status", nonsense_status),
-    solver("failure-without-words", failure_without_words),
-    solver("projected-steps", projected_steps),
-};
-const rc_solver* const list[] = {&solvers[0], &solvers[1], &solvers[2], &solvers[3],
-                                 &solvers[4], &solvers[5], &solvers[6], &solvers[7]};
-static_assert(std::size(list) == std::size(solvers));
+template <std::size_t which> constexpr rc_solver liar = solver(lies[which].name, tell<which>, lies[which].by_load);
+constexpr rc_solver honest = solver("projected-steps", projected_steps);
+const rc_solver* const list[] = {&liar<0>, &liar<1>, &liar<2>, &liar<3>, &liar<4>, &liar<5>, &liar<6>, &honest};
+static_assert(std::size(list) == std::size(lies) + 1);
 const rc_plugin plugin = {
     sizeof(rc_plugin), RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR, "tests", "1", 0, std::size(list), 0, nullptr, list, nullptr};
 

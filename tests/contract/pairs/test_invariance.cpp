@@ -1,31 +1,149 @@
-// Changes of a problem that must not change the answer, or must change it in a known way. --part NAME [filter] runs one part,
-// [filter] all of them.
-#include <cstdio>
-#include <cstring>
+// Changes of a problem that must change the answer in a known way or not at all, by every pair: units bit by bit, warm starts, a
+// spike, another thread that cancels.
+#include <atomic>
+#include <chrono>
+#include <thread>
 
-#include "invariance_tests.h"
+#include "support/registry.h"
+#include "support/surfaces.h"
 
-int main(int argc, char** argv) {
-  using namespace pairs;
-  const struct {
-    const char* name;
-    std::vector<Test> (*tests)();
-  } parts[] = {{"units", unit_tests},           {"repetitions", repetition_tests},
-               {"sequences", sequence_tests},   {"stiffness", stiffness_tests},
-               {"stops", stop_tests},           {"single_arrays", single_array_tests},
-               {"arithmetic", arithmetic_tests}};
-  const char* wanted = nullptr;
-  if (argc > 2 && std::strcmp(argv[1], "--part") == 0) {
-    wanted = argv[2];
-    argc -= 2;
-    argv += 2;
-  }
-  std::vector<Test> tests;
-  for (const auto& part : parts)
-    if (!wanted || std::strcmp(wanted, part.name) == 0) {
-      const std::vector<Test> more = part.tests();
-      tests.insert(tests.end(), more.begin(), more.end());
-    }
-  if (tests.empty()) return std::fprintf(stderr, "no part %s\n", wanted), 1;
-  return run_group("pairs.invariance", tests, argc, argv);
+namespace pairs {
+
+namespace {
+
+struct Units {
+  double cell, height, modulus;
+  double pressure() const { return modulus * height / cell; }
+  double force() const { return pressure() * cell * cell; }
+};
+
+Problem in_units(Problem problem, const Units& units) {
+  rc_system& s = problem.system;
+  s.hx *= units.cell;
+  s.hy *= units.cell;
+  s.modulus *= units.modulus;
+  for (double& value : problem.gap) value *= units.height;
+  problem.target *= problem.control == RC_CONTROL_LOAD ? units.force() : units.height;
+  return problem;
 }
+
+Field scaled(Field values, double factor) {
+  for (double& value : values) value *= factor;
+  return values;
+}
+
+// Four to the power of k also has an exact square root.
+void powers_of_two_are_exact(std::int32_t boundary, const Pair& pair) {
+  Problem elastic = rough_problem(18, 14, boundary, 0.5, 0.75);
+  elastic.target *= 1.4;
+  for (const Problem& problem : {elastic, at_load(elastic, solved(elastic, pair).result.load)}) {
+    const Answer answer = solved(problem, pair);
+    for (const Units& units :
+         {Units{1 / 1024.0, 1 / 1024.0, 1}, Units{1, 1 / 32.0, 1}, Units{1, 1, 1048576}, Units{4096, 16, 1 / 128.0}}) {
+      const Answer other = solved(in_units(problem, units), pair);
+      check_same(other.p, scaled(answer.p, units.pressure()), "p");
+      check_same(other.gap, scaled(answer.gap, units.height), "gap");
+      check_same({other.result.kkt_dual, other.result.kkt_complementarity},
+                 {answer.result.kkt_dual, answer.result.kkt_complementarity}, "residuals");
+      check_equal(other.result.products, answer.result.products, "products");
+    }
+  }
+}
+
+// Up in ten steps, or four in the reduced set, and down again. That warm steps are right is a property of tests/scenes.
+void warm_steps_cost_less(std::int32_t boundary, const Pair& pair) {
+  Problem problem = rough_problem(28, 22, boundary, 0.5, 0.75);
+  problem.target *= 1.4;
+  const double load = solved(problem, pair).result.load;
+  const int steps = quick() ? 4 : 10;
+  for (const std::int32_t control : controls) {
+    std::int64_t products[2] = {0, 0};  // cold, warm
+    for (const std::int32_t warm : {0, 1}) {
+      const Contact contact(problem, pair);
+      rc_step step = problem.step();
+      step.control = control;
+      step.warm_start = warm;
+      for (int k = 0; k < 2 * steps; ++k) {
+        step.target = (control == RC_CONTROL_LOAD ? load : problem.target) * (k < steps ? k + 1 : 2 * steps - k - 0.3) / steps;
+        const Answer answer = contact.solve(step);
+        check_status(answer, RC_OK);
+        products[warm] += answer.result.products;
+      }
+    }
+    if (!gains_from_a_start(pair) || quick()) continue;  // steps of the reduced set are far apart
+    check(products[1] < products[0], std::to_string(products[1]) + " products warm, " + std::to_string(products[0]) + " cold");
+  }
+}
+
+// The load control of conjugate gradients goes in circles here: the spike takes its whole load or none.
+void spike_is_pressed_into_the_plane_below_it(const Pair& pair) {
+  Problem problem;
+  problem.system.nx = 30;
+  problem.system.ny = 26;
+  problem.gap.assign(problem.points(), 1.0);
+  problem.gap[337] = 0;
+  for (const double approach : {1.01, 1.03, 1.2}) {
+    problem.target = approach;
+    const Answer there = solved(problem, pair);
+    const Answer back = solved(at_load(problem, there.result.load), pair);
+    check_near(back.result.approach, approach, 1e-8, "approach");
+  }
+}
+
+struct Rendezvous {
+  std::atomic<bool> running{false}, cancelled{false};
+};
+
+// Waits in the first report until the other thread has cancelled.
+std::int32_t wait(const rc_progress*, void* user) {
+  Rendezvous& meeting = *static_cast<Rendezvous*>(user);
+  meeting.running = true;
+  while (!meeting.cancelled) std::this_thread::sleep_for(std::chrono::microseconds(100));
+  return 0;
+}
+
+void other_thread_stops(const Pair& pair) {
+  for (const std::int32_t control : controls) {
+    Problem problem = rough_problem(16, 12);  // hard enough that no solver ends in its first iteration
+    problem.target *= 1.6;
+    if (control == RC_CONTROL_LOAD) problem = at_load(problem, 12);
+    const Contact contact(problem, pair);
+    Rendezvous meeting;
+    check(rc_contact_on_progress(contact.handle(), wait, &meeting, 1) == RC_OK, rc_last_error());
+    rc_status busy = RC_OK;
+    std::thread other([&] {
+      while (!meeting.running) std::this_thread::sleep_for(std::chrono::microseconds(100));
+      busy = rc_contact_reset(contact.handle());
+      rc_contact_cancel(contact.handle());
+      meeting.cancelled = true;
+    });
+    const Answer answer = contact.solve(problem);
+    meeting.running = true;
+    other.join();
+    check_status(answer, RC_STOP_CANCELLED);
+    check(busy == RC_ERR_BUSY, std::string("reset of a solving contact: ") + rc_status_name(busy));
+    const Answer after = contact.solve(problem);
+    check_status(after, RC_OK, "the step after a stop");
+    check_near(after.p, solved(problem, pair).p, 1e-9, "p of the step after a stop");
+  }
+}
+
+std::vector<Test> all_tests() {
+  std::vector<Test> tests;
+  for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC}) {
+    const auto add = [&](const char* name, void (*body)(std::int32_t, const Pair&)) {
+      add_for_pairs(tests, name, boundary, [=](const Pair& pair) { body(boundary, pair); });
+    };
+    add("powers_of_two_scale_the_answer_bit_by_bit", powers_of_two_are_exact);
+    add("warm_steps_up_and_down_cost_less_than_cold_ones", warm_steps_cost_less);
+  }
+  add_for_pairs(tests, "spike_is_pressed_into_the_plane_below_it", RC_BOUNDARY_FREE, spike_is_pressed_into_the_plane_below_it);
+  add_for_pairs(tests, "cancel_from_another_thread_stops", RC_BOUNDARY_FREE, other_thread_stops);
+  return tests;
+}
+
+}  // namespace
+
+}  // namespace pairs
+
+int main(int argc, char** argv) { return pairs::run_group("pairs.invariance", pairs::all_tests(), argc, argv); }

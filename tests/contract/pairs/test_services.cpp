@@ -1,4 +1,6 @@
 // The core's services around a solver: warm-ups, hand-overs and refusals.
+#include <roughcontact/plugin.h>
+
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -128,6 +130,51 @@ void area_wider_than_the_grid_keeps_everything() {
   }
 }
 
+// Of a gap of floats, also where another one warms up for it.
+Field seen;
+rc_status look(const rc_host*, const rc_problem* problem, const rc_options*, double*, double*) {
+  const rc_grid& grid = *problem->grid;
+  if (grid.undeformed_gap.type != RC_NATIVE || !grid.undeformed_gap.data) return RC_STOP_STALLED;
+  const auto* const gap = static_cast<const double*>(grid.undeformed_gap.data);
+  seen.assign(gap, gap + grid.nx * grid.ny);
+  return RC_STOP_STALLED;
+}
+
+void solvers_that_ask_for_nothing_new_see_doubles() {
+  const rc_solver solver = {.struct_size = sizeof(rc_solver),
+                            .name = "looks",
+                            .summary = "a test's",
+                            .license = "BSD-3-Clause",
+                            .needs = RC_NEEDS_GRID,
+                            .controls = RC_CONTROL_APPROACH,
+                            .solve = look};
+  const rc_solver* const list[] = {&solver};
+  const rc_plugin plugin = {.struct_size = sizeof(rc_plugin),
+                            .abi_major = RC_PLUGIN_ABI_MAJOR,
+                            .abi_minor = RC_PLUGIN_ABI_MINOR,
+                            .name = "tests",
+                            .version = "1",
+                            .n_solvers = 1,
+                            .solvers = list};
+  Problem problem = rough_problem(33, 26);
+  const std::vector<float> gap(problem.gap.begin(), problem.gap.end());
+  problem.gap.assign(gap.begin(), gap.end());
+  rc_step step = problem.step();
+  step.undeformed_gap = {gap.data(), RC_SINGLE, 0, nullptr};
+  step.borrow = 1;
+  for (const char* first : {"none", "haar-cg"}) {
+    rc_context* made = nullptr;
+    check(rc_context_create(0, nullptr, nullptr, nullptr, &made) == RC_OK, rc_last_error());
+    const Context context(made);
+    check(rc_context_register(made, &plugin) == RC_OK, rc_last_error());
+    const Contact contact(problem, {"looks", "dense"}, {{"warmup", first}}, context.get());
+    seen.clear();
+    const rc_status expected = std::string(first) == "none" ? RC_STOP_STALLED : RC_OK;
+    check_status(contact.solve(step), expected);
+    check_same(seen, problem.gap, "what the solver saw");
+  }
+}
+
 }  // namespace
 
 }  // namespace pairs
@@ -143,6 +190,7 @@ int main(int argc, char** argv) {
                     {"flat_on_flat_is_certified", flat_on_flat_is_certified},
                     {"refused_certificate_changes_nothing", refused_certificate_changes_nothing},
                     {"note_is_never_cut", note_is_never_cut},
-                    {"area_wider_than_the_grid_keeps_everything", area_wider_than_the_grid_keeps_everything}},
+                    {"area_wider_than_the_grid_keeps_everything", area_wider_than_the_grid_keeps_everything},
+                    {"solvers_that_ask_for_nothing_new_see_doubles", solvers_that_ask_for_nothing_new_see_doubles}},
                    argc, argv);
 }
