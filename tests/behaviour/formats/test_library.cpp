@@ -222,6 +222,22 @@ void resamples(void**) {
   assert_int_equal(rc_surface_resample(&r), RC_OK);
   assert_true(r.missing == 8 && near(to[0], 3.75 * 3.75) && std::isnan(to[1]));
 
+  r.x0 = 0, r.interpolation = RC_SURFACE_LINEAR;
+  assert_int_equal(rc_surface_resample(&r), RC_OK);
+  for (std::size_t i = 0; i < 9; ++i) assert_true(near(to[i], (z[i / 2] + z[(i + 1) / 2]) / 2));
+  std::vector<double> column = {1, 2, 3};
+  assert_int_equal(rc_surface_shift(1, 3, 1, 1, 0, 1, 0, RC_SURFACE_CUBIC, column.data(), nullptr), RC_OK);
+  assert_true(std::isnan(column[0]) && near(column[1], 1) && near(column[2], 2));
+  // Half a point further along a wave that repeats: weights -1, 9, 9, -1 of 16, or 1, 1 of 2; along y as along x.
+  for (const auto& [interpolation, quarter] : {std::pair{RC_SURFACE_CUBIC, 0.625}, {RC_SURFACE_LINEAR, 0.5}})
+    for (const bool down : {false, true}) {
+      std::vector<double> wave = {0, 1, 0, -1};
+      assert_int_equal(rc_surface_shift(down ? 1 : 4, down ? 4 : 1, down ? 7 : 2, down ? 2 : 7, down ? 0 : 1, down ? 1 : 0, 1,
+                                        interpolation, wave.data(), nullptr),
+                       RC_OK);
+      assert_true(near(wave[0], -quarter) && near(wave[1], quarter) && near(wave[2], quarter) && near(wave[3], -quarter));
+    }
+
   const auto refused = [&](auto member, auto value, rc_status status, const char* says) {
     rc_surface_resampling bad = r;
     bad.*member = value;

@@ -103,6 +103,7 @@ REFUSED = [
     (rc.HalfSpace.under, {"surface": ROW, "modulus": 1.0}, rc.ArgumentError, OF_ROW),
     (rc.batch, {"undeformed_gap": -ROW}, rc.ArgumentError, OF_ROW),
     (rc.surface.cmr_advice, {"surface": ROW, "levels": 1}, rc.ArgumentError, OF_ROW),
+    (rc.surface.downsample, {"surface": GAP, "filter": "median"}, rc.ArgumentError, "filter"),
     (rc.surface.downsample, {"surface": ROW, "filter": "max"}, rc.ArgumentError, OF_ROW),
     *((call, {"pressure": -ROW}, rc.ArgumentError, OF_ROW) for call in (rc.analysis.area, rc.analysis.patches)),
     (rc.analysis.histogram, {"pressure": -ROW, "bins": 4}, rc.ArgumentError, OF_ROW),
