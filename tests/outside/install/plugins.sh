@@ -38,9 +38,7 @@ build_with() {  # build_with make|cmake KIND: example KIND, installed into the p
 }
 
 beside_a_plugin_nothing_is_found() {  # beside_a_plugin_nothing_is_found FOLDER KIND
-  local name=pairs status=0
-  [ "$2" != solver ] || name=spg
-  [ "$2" != kernel ] || name=graded
+  local status=0
   [ -f "$1/rcb_$name.so" ] || fail "make built no rcb_$name.so"
   cd "$1"
   ! listed "${2}s" $name || fail "a plugin in the current directory is used"
@@ -54,18 +52,15 @@ install_to "$prefix"
 clean "$prefix/bin/roughcontact" generate spectral --output "$scratch/surface.npy" --size 24 --rms-slope 0.3 >/dev/null
 clean "$prefix/bin/roughcontact" generate spectral --output "$scratch/larger.npy" --size 64 --rms-slope 0.3 >/dev/null
 for tool in make cmake; do
-  build_with $tool backend >"$scratch/log" 2>&1 || { cat "$scratch/log"; fail "$tool: the backend"; }
-  build_with $tool solver >"$scratch/log" 2>&1 || { cat "$scratch/log"; fail "$tool: the solver"; }
-  build_with $tool kernel >"$scratch/log" 2>&1 || { cat "$scratch/log"; fail "$tool: the kernel"; }
   plugins=$(pkg --variable=plugindir roughcontact)
-  for name in pairs spg graded; do
+  for part in backend:pairs solver:spg kernel:graded; do
+    kind=${part%:*} name=${part#*:}
+    build_with $tool "$kind" >"$scratch/log" 2>&1 || { cat "$scratch/log"; fail "$tool: the $kind"; }
+    listed "${kind}s" "$name" | grep -q "rcb_$name.so" || fail "$tool: the $kind is not listed"
     ! readelf -d "$plugins/rcb_$name.so" | grep -q 'NEEDED.*roughcontact' || fail "rcb_$name.so links the library"
     exports=$(nm -D --defined-only "$plugins/rcb_$name.so" | awk '$2 !~ /[WVu]/ { print $3 }')
     [ "$exports" = rc_plugin_query ] || fail "rcb_$name.so exports $exports"
   done
-  listed backends pairs | grep -q "rcb_pairs.so" || fail "$tool: the backend is not listed"
-  listed solvers spg | grep -q "rcb_spg.so" || fail "$tool: the solver is not listed"
-  listed kernels graded | grep -q "rcb_graded.so" || fail "$tool: the kernel is not listed"
   listed options graded.length >/dev/null || fail "$tool: the kernel's options are not listed"
   expected=$(solve haar-cg/dense --backend dense --solver haar-cg)
   for options in "haar-cg/pairs --backend pairs --solver haar-cg" \
