@@ -156,7 +156,7 @@ other_systems() {
   ! full || check packaging/cross.sh --smoke i686  # 32 bits
 }
 asan() {
-  local families="" but=(-E 'failures|pairs\.(analytic|invariance\.(repetitions|sequences))')
+  local families="" but=(-E 'failures|pairs\.analytic')
   if ! full; then
     families="behaviour/batch behaviour/device behaviour/formats behaviour/honesty behaviour/threads contract/backends contract/errors"
     families+=" contract/options contract/plugins behaviour/law behaviour/product faults/process scenes"

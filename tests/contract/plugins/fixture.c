@@ -10,41 +10,8 @@
 #ifndef FIXTURE_MINOR
 #define FIXTURE_MINOR RC_PLUGIN_ABI_MINOR
 #endif
-#ifndef FIXTURE_BACKEND_SIZE
-#define FIXTURE_BACKEND_SIZE sizeof(rc_backend)
-#endif
-#ifndef FIXTURE_PLUGIN_SIZE
-#define FIXTURE_PLUGIN_SIZE sizeof(rc_plugin)
-#endif
-#ifndef FIXTURE_CAPS
-#define FIXTURE_CAPS 0
-#endif
-#ifndef FIXTURE_APPLY
-#define FIXTURE_APPLY toy_apply
-#endif
-#ifndef FIXTURE_SUBSET
-#define FIXTURE_SUBSET NULL
-#endif
-#ifndef FIXTURE_SHIFTED
-#define FIXTURE_SHIFTED NULL
-#endif
-#ifndef FIXTURE_NORM
-#define FIXTURE_NORM NULL
-#endif
 #ifndef FIXTURE_SCORE
 #define FIXTURE_SCORE NULL
-#endif
-#ifndef FIXTURE_LICENSE
-#define FIXTURE_LICENSE "BSD-3-Clause"
-#endif
-#ifndef FIXTURE_BACKENDS
-#define FIXTURE_BACKENDS backends
-#endif
-#ifndef FIXTURE_KEY
-#define FIXTURE_KEY FIXTURE ".order"
-#endif
-#ifndef FIXTURE_DEFAULT
-#define FIXTURE_DEFAULT "rows"
 #endif
 #ifndef FIXTURE_SECOND
 #define FIXTURE_SECOND "second-of-" FIXTURE
@@ -53,35 +20,25 @@
 #define FIXTURE_ANSWER ((void)host, *out = &plugin, RC_OK)
 #endif
 
-static const rc_component order = {sizeof(rc_component),
-                                   FIXTURE_KEY,
-                                   "order of the sum",
-                                   NULL,
-                                   NULL,
-                                   FIXTURE_DEFAULT,
-                                   "rows|columns",
-                                   RC_TYPE_TEXT,
-                                   0,
-                                   0.0,
-                                   0.0};
+static const rc_component order = {
+    sizeof(rc_component), FIXTURE ".order", "order of the sum", NULL, NULL, "rows", "rows|columns", RC_TYPE_TEXT, 0, 0.0, 0.0};
 static const rc_component* const options[] = {&order};
 
-#define BACKEND(known, count, list)                                                                                  \
-  {                                                                                                                  \
-    .struct_size = FIXTURE_BACKEND_SIZE, .name = known, .summary = "naive products", .license = FIXTURE_LICENSE,     \
-    .caps = RC_CAP_FREE | RC_CAP_PERIODIC | FIXTURE_CAPS, .n_options = count, .options = list, .create = toy_create, \
-    .destroy = toy_destroy, .bind = toy_bind, .apply = FIXTURE_APPLY, .field = toy_field, .modelled = toy_modelled,  \
-    .subset = FIXTURE_SUBSET, .shifted = FIXTURE_SHIFTED, .norm = FIXTURE_NORM, .score = FIXTURE_SCORE               \
+#define BACKEND(known, count, list)                                                                                           \
+  {                                                                                                                           \
+    .struct_size = sizeof(rc_backend), .name = known, .summary = "naive products", .license = "BSD-3-Clause",                 \
+    .caps = RC_CAP_FREE | RC_CAP_PERIODIC, .n_options = count, .options = list, .create = toy_create, .destroy = toy_destroy, \
+    .bind = toy_bind, .apply = toy_apply, .field = toy_field, .modelled = toy_modelled, .score = FIXTURE_SCORE                \
   }
 static const rc_backend first = BACKEND(FIXTURE, 1, options), second = BACKEND(FIXTURE_SECOND, 0, NULL);
 static const rc_backend* const backends[] = {&first, &second};
-static const rc_plugin plugin = {.struct_size = FIXTURE_PLUGIN_SIZE,
+static const rc_plugin plugin = {.struct_size = sizeof(rc_plugin),
                                  .abi_major = FIXTURE_MAJOR,
                                  .abi_minor = FIXTURE_MINOR,
                                  .name = FIXTURE_INSIDE,
                                  .version = "1.0",
                                  .n_backends = 2,
-                                 .backends = FIXTURE_BACKENDS};
+                                 .backends = backends};
 
 #ifdef FIXTURE_NO_SYMBOL
 RC_API const rc_plugin* rc_plugin_by_another_name(void);

@@ -7,12 +7,9 @@ namespace plugins {
 
 namespace {
 
-void assert_near(double value, double wanted) {
-  if (!(std::abs(value - wanted) <= 1e-8 * std::abs(wanted))) print_error("%.17g instead of %.17g\n", value, wanted);
-  assert_true(std::abs(value - wanted) <= 1e-8 * std::abs(wanted));
-}
+void assert_near(double value, double wanted) { pairs::check_near(value, wanted, 1e-8 * std::abs(wanted), "load"); }
 
-void a_naive_backend_serves_every_solver(void**) {
+void a_naive_backend_serves_every_solver() {
   const Scratch scratch;
   scratch.put({"toy", "toy-solver"});
   const Registry registry(scratch.path());
@@ -25,7 +22,7 @@ void a_naive_backend_serves_every_solver(void**) {
     }
 }
 
-void a_solver_from_outside_uses_every_backend(void**) {
+void a_solver_from_outside_uses_every_backend() {
   const Scratch scratch;
   scratch.put({"toy", "toy-solver"});
   const Registry registry(scratch.path());
@@ -36,7 +33,7 @@ void a_solver_from_outside_uses_every_backend(void**) {
   assert_near(registry.load("toy-solver", "dense", RC_BOUNDARY_FREE, RC_CONTROL_LOAD), 2);
 }
 
-void a_fallback_is_named_in_the_result(void**) {
+void a_fallback_is_named_in_the_result() {
   const Scratch scratch;
   scratch.put({"toy"});
   const Registry registry(scratch.path());
@@ -44,14 +41,14 @@ void a_fallback_is_named_in_the_result(void**) {
   assert_has(registry.result().note, "backend \"toy\" cannot factor");
 }
 
-void a_higher_minor_version_works(void**) {
+void a_higher_minor_version_works() {
   const Scratch scratch;
   scratch.put({"future_minor"});
   const Registry registry(scratch.path());
   assert_near(registry.load("polonsky-keer", "future_minor"), registry.load("nnls", "dense"));
 }
 
-void a_plugin_is_listed_with_its_file(void**) {
+void a_plugin_is_listed_with_its_file() {
   const Scratch scratch;
   const std::string file = scratch.put({"toy"});
   const Registry registry(scratch.path());
@@ -60,19 +57,16 @@ void a_plugin_is_listed_with_its_file(void**) {
   assert_string_equal(registry.log().c_str(), "");
 }
 
-void a_dotted_option_loads_its_component(void**) {
+void a_dotted_option_loads_its_component() {
   const Scratch scratch;
   scratch.put({"toy"});
   const Registry registry(scratch.path());
-  rc_options* options = nullptr;
-  assert_int_equal(rc_options_create(registry.get(), &options), RC_OK);
-  assert_int_equal(rc_options_set_text(options, "toy.order", "columns"), RC_OK);
-  assert_int_equal(rc_options_set_text(options, "toy.order", "colums"), RC_ERR_OPTION);
+  const pairs::Options options = pairs::make_options(pairs::automatic, "auto", {{"toy.order", "columns"}}, registry.get());
+  assert_int_equal(rc_options_set_text(options.get(), "toy.order", "colums"), RC_ERR_OPTION);
   assert_message_has("option \"toy.order\" = \"colums\" is none of rows|columns; did you mean \"columns\"?");
-  rc_options_destroy(options);
 }
 
-void a_preference_list_passes_over_what_is_refused(void**) {
+void a_preference_list_passes_over_what_is_refused() {
   const Scratch scratch;
   scratch.put({"bad_abi", "toy"});
   const Registry registry(scratch.path());
@@ -80,7 +74,7 @@ void a_preference_list_passes_over_what_is_refused(void**) {
   assert_string_equal(registry.result().backend, "toy");
 }
 
-void two_contexts_load_the_same_file(void**) {
+void two_contexts_load_the_same_file() {
   const Scratch scratch;
   scratch.put({"toy"});
   const Registry one(scratch.path()), other(scratch.path());
@@ -90,15 +84,17 @@ void two_contexts_load_the_same_file(void**) {
 
 }  // namespace
 
-const std::vector<CMUnitTest> good_tests = {
-    cmocka_unit_test(a_naive_backend_serves_every_solver),
-    cmocka_unit_test(a_solver_from_outside_uses_every_backend),
-    cmocka_unit_test(a_fallback_is_named_in_the_result),
-    cmocka_unit_test(a_higher_minor_version_works),
-    cmocka_unit_test(a_plugin_is_listed_with_its_file),
-    cmocka_unit_test(a_dotted_option_loads_its_component),
-    cmocka_unit_test(a_preference_list_passes_over_what_is_refused),
-    cmocka_unit_test(two_contexts_load_the_same_file),
-};
+std::vector<pairs::Test> good_tests() {
+  return {
+      TEST(a_naive_backend_serves_every_solver),
+      TEST(a_solver_from_outside_uses_every_backend),
+      TEST(a_fallback_is_named_in_the_result),
+      TEST(a_higher_minor_version_works),
+      TEST(a_plugin_is_listed_with_its_file),
+      TEST(a_dotted_option_loads_its_component),
+      TEST(a_preference_list_passes_over_what_is_refused),
+      TEST(two_contexts_load_the_same_file),
+  };
+}
 
 }  // namespace plugins

@@ -1,16 +1,15 @@
-// A kernel of deflections that decay with distance, which a test may spoil, and a contact with it.
+// A kernel of deflections that decay with distance, which a test may spoil, and contacts with it.
 #pragma once
 
 #include <cmath>
-#include <limits>
 
 #include "scratch.h"
-#include "support/unit_system.h"
+#include "support/registry.h"
+#include "support/surfaces.h"
 
 namespace plugins {
 
 inline constexpr std::int64_t side = 12;
-inline constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
 
 // Changes of a kernel's values, made on purpose.
 struct Spoilt {
@@ -45,113 +44,46 @@ inline rc_status decay_bounds(const rc_host*, const rc_kernel_spec* spec, double
 }
 
 inline rc_kernel decay(Spoilt& spoilt) {
-  return {.struct_size = sizeof(rc_kernel),
-          .name = "decay",
-          .summary = "a test's",
-          .license = "BSD-3-Clause",
-          .caps = RC_KERNEL_FREE | RC_KERNEL_PERIODIC | RC_KERNEL_POSITIVE,
-          .n_options = 0,
-          .options = nullptr,
-          .window = decay_window,
-          .symbol = decay_symbol,
-          .bounds = decay_bounds,
-          .user = &spoilt};
+  rc_kernel kernel = component<rc_kernel>("decay");
+  kernel.caps = RC_KERNEL_FREE | RC_KERNEL_PERIODIC | RC_KERNEL_POSITIVE;
+  kernel.window = decay_window;
+  kernel.symbol = decay_symbol;
+  kernel.bounds = decay_bounds;
+  kernel.user = &spoilt;
+  return kernel;
 }
 
-inline rc_status add(const Registry& registry, const rc_kernel& kernel) {
-  const rc_kernel* const kernels[] = {&kernel};
-  const rc_plugin plugin = {.struct_size = sizeof(rc_plugin),
-                            .abi_major = RC_PLUGIN_ABI_MAJOR,
-                            .abi_minor = RC_PLUGIN_ABI_MINOR,
-                            .name = "decay",
-                            .version = "1.0",
-                            .n_kernels = 1,
-                            .kernels = kernels};
-  return rc_context_register(registry.get(), &plugin);
+// A paraboloid to be pressed with a kernel of one's own.
+inline pairs::Problem paraboloid_of(std::int32_t boundary = RC_BOUNDARY_FREE, double cell = 1, std::int64_t points = side) {
+  pairs::Problem problem;
+  problem.system.nx = problem.system.ny = points;
+  problem.system.hx = problem.system.hy = cell;
+  problem.system.boundary = boundary;
+  problem.gap = pairs::paraboloid(points, points, cell, 5.5, 5.25, 25 * cell);
+  problem.target = 0.4 * cell;
+  return problem;
 }
-
-using Settings = std::vector<std::pair<const char*, std::string>>;
-
-// A contact of a paraboloid with a kernel of one's own.
-class Pressed {
- public:
-  Pressed(const Registry& registry, const Settings& settings, std::int32_t boundary = RC_BOUNDARY_FREE, double cell = 1,
-          std::int64_t points = side)
-      : side_(points) {
-    assert_int_equal(rc_options_create(registry.get(), &options_), RC_OK);
-    for (const auto& [key, value] : settings) assert_int_equal(rc_options_set_text(options_, key, value.c_str()), RC_OK);
-    system_.nx = system_.ny = side_;
-    system_.hx = system_.hy = cell;
-    system_.boundary = boundary;
-    p.assign(static_cast<std::size_t>(side_ * side_), -7);
-    for (std::int64_t i = 0; i < side_ * side_; ++i) {
-      const double x = static_cast<double>(i % side_) - 5.5, y = static_cast<double>(i / side_) - 5.25;
-      gap_.push_back(0.02 * cell * (x * x + y * y));
-    }
-    status = rc_contact_create(&system_, options_, &contact_);
-    if (status == RC_OK) solve();
-  }
-  ~Pressed() {
-    rc_contact_destroy(contact_);
-    rc_options_destroy(options_);
-  }
-  Pressed(const Pressed&) = delete;
-  Pressed& operator=(const Pressed&) = delete;
-
-  void solve() {
-    rc_step step = RC_STEP_INIT;
-    step.control = RC_CONTROL_APPROACH;
-    step.target = 0.4 * system_.hx;
-    step.undeformed_gap.data = gap_.data();
-    result.p.data = p.data();
-    status = rc_contact_solve(contact_, &step, &result);
-  }
-  std::string explanation() const {
-    const char* text = nullptr;
-    assert_int_equal(rc_contact_explain(contact_, &text), RC_OK);
-    return text;
-  }
-  bool untouched() const { return result.points == 0 && p == std::vector<double>(p.size(), -7); }
-
-  rc_status status = RC_OK;
-  rc_result result = RC_RESULT_INIT;
-  std::vector<double> p;
-
- private:
-  std::int64_t side_;
-  rc_system system_ = support::unit_system();
-  rc_options* options_ = nullptr;
-  rc_contact* contact_ = nullptr;
-  std::vector<double> gap_;
-};
+inline Pressed pressed(const Registry& registry, pairs::Settings settings = {}, std::int32_t boundary = RC_BOUNDARY_FREE) {
+  settings.insert(settings.begin(), {{RC_OPT_TOL, "1e-8"}, {RC_OPT_KERNEL, "decay"}});
+  return Pressed(registry, paraboloid_of(boundary), settings);
+}
 
 inline void assert_near(double value, double wanted, double tolerance) {
-  if (!(std::abs(value - wanted) <= tolerance * std::abs(wanted))) fail_msg("%.17g instead of %.17g", value, wanted);
+  pairs::check_near(value, wanted, tolerance * std::abs(wanted), "value");
 }
 
 // The same coefficients as a matrix of the caller's.
 inline double load_of_matrix(double rate) {
-  const std::int64_t n = side * side;
-  std::vector<double> h, gap;
-  for (std::int64_t i = 0; i < n; ++i) {
-    const double x = static_cast<double>(i % side) - 5.5, y = static_cast<double>(i / side) - 5.25;
-    gap.push_back(0.02 * (x * x + y * y));
-    for (std::int64_t j = 0; j < n; ++j)
+  pairs::Problem problem = paraboloid_of();
+  pairs::Field h;
+  for (std::int64_t i = 0; i < side * side; ++i)
+    for (std::int64_t j = 0; j < side * side; ++j)
       h.push_back(
           std::exp(-rate * std::hypot(static_cast<double>(i % side - j % side), static_cast<double>(i / side - j / side))));
-  }
-  rc_system system = support::unit_system();
-  system.op = RC_OPERATOR_DENSE;
-  system.nx = system.ny = side;
-  system.dense = h.data();
-  system.dense_ld = n;
-  rc_step step = RC_STEP_INIT;
-  step.control = RC_CONTROL_APPROACH;
-  step.target = 0.4;
-  step.undeformed_gap.data = gap.data();
-  rc_result result = RC_RESULT_INIT;
-  assert_int_equal(rc_solve(&system, &step, nullptr, &result), RC_OK);
-  return result.load;
+  problem.system.op = RC_OPERATOR_DENSE;
+  problem.system.dense = h.data();
+  problem.system.dense_ld = side * side;
+  return pairs::solved(problem, pairs::automatic).result.load;
 }
 
 }  // namespace plugins

@@ -5,80 +5,59 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
-#include <limits>
 #include <random>
 
 #include "scratch.h"
-#include "support/unit_system.h"
 
 namespace plugins {
 
 namespace {
 
 constexpr std::int64_t nx = 6, ny = 4, points = nx * ny;
-constexpr double tol = 1e-6, infinity = std::numeric_limits<double>::infinity();
+constexpr double tol = 1e-6;
 
 using Lie = std::function<void(rc_many&)>;
 
 // Rough contacts, and their true answers.
 struct Scene {
-  rc_system system = support::unit_system();
-  std::int32_t control;
+  pairs::Problem problem;  // of each, but for gap and target
   std::int64_t n, steps;
-  std::vector<double> gaps, targets;
-  std::vector<std::uint8_t> mask;  // of all
+  pairs::Field gaps, targets, p;
   std::vector<rc_many_answer> answers;
-  std::vector<double> p;
 
-  Scene(std::int32_t by, std::int64_t contacts = 5, std::int64_t of_each = 2, double hardness = 0)
-      : control(by), n(contacts), steps(of_each), mask(points, 1) {
-    system.nx = nx;
-    system.ny = ny;
-    system.hardness = hardness;
-    mask[7] = 0;
+  Scene(std::int32_t control, std::int64_t contacts = 5, std::int64_t of_each = 2, double hardness = 0)
+      : n(contacts), steps(of_each) {
+    problem.system.nx = nx;
+    problem.system.ny = ny;
+    problem.system.hardness = hardness;
+    problem.control = control;
+    problem.mask.assign(points, 1);
+    problem.mask[7] = 0;
     std::mt19937 random(3);
-    for (std::int64_t m = 0; m < n * points; ++m) gaps.push_back(static_cast<double>(random() % 1000) * 1e-3);
-    for (std::int64_t i = 0; i < n; ++i)
-      for (std::int64_t k = 0; k < steps; ++k)
-        targets.push_back(control == RC_CONTROL_LOAD ? 1 + 0.5 * static_cast<double>(k) : 0.6 + 0.1 * static_cast<double>(k));
-    for (std::int64_t i = 0; i < n; ++i) solve(i);
-  }
-
- private:
-  void solve(std::int64_t i) {
-    rc_options* options = nullptr;
-    rc_contact* contact = nullptr;
-    assert_int_equal(rc_options_create(nullptr, &options), RC_OK);
-    rc_options_set_number(options, RC_OPT_TOL, 1e-10);
-    assert_int_equal(rc_contact_create(&system, options, &contact), RC_OK);
-    for (std::int64_t k = 0; k < steps; ++k) {
-      std::vector<double> own(points);
-      rc_step step = RC_STEP_INIT;
-      step.control = control;
-      step.target = targets[static_cast<std::size_t>(i * steps + k)];
-      const double* const gap = gaps.data() + i * points;
-      if (k == 0) step.undeformed_gap.data = gap;
-      if (k == 0) step.mask.data = mask.data();
-      rc_result result = RC_RESULT_INIT;
-      result.p.data = own.data();
-      assert_int_equal(rc_contact_solve(contact, &step, &result), RC_OK);
-      rc_many_answer answer{};
-      answer.solved = 1;
-      answer.contacts = result.contacts;
-      answer.iterations = 4242;
-      answer.lowest = infinity;
-      for (std::size_t m = 0; m < points; ++m)
-        if (mask[m]) answer.lowest = std::min(answer.lowest, gap[m]);
-      answer.compression = result.approach - answer.lowest;
-      for (const double each : own) answer.sum += each;
-      answer.primal = result.kkt_primal;
-      answer.dual = result.kkt_dual;
-      answer.complementarity = result.kkt_complementarity;
-      answers.push_back(answer);
-      p.insert(p.end(), own.begin(), own.end());
+    for (std::int64_t i = 0; i < n; ++i) {
+      problem.gap.clear();
+      for (std::int64_t m = 0; m < points; ++m) problem.gap.push_back(static_cast<double>(random() % 1000) * 1e-3);
+      gaps.insert(gaps.end(), problem.gap.begin(), problem.gap.end());
+      const pairs::Contact contact(problem, pairs::automatic, {{RC_OPT_TOL, "1e-10"}});
+      for (std::int64_t k = 0; k < steps; ++k) {
+        problem.target = control == RC_CONTROL_LOAD ? 1 + 0.5 * static_cast<double>(k) : 0.6 + 0.1 * static_cast<double>(k);
+        targets.push_back(problem.target);
+        const pairs::Answer solved = contact.solve(problem);
+        pairs::check_status(solved, RC_OK);
+        rc_many_answer answer{};
+        answer.solved = 1;
+        answer.contacts = solved.result.contacts;
+        answer.iterations = 4242;
+        answer.lowest = problem.lowest_gap();
+        answer.compression = solved.result.approach - answer.lowest;
+        for (const double each : solved.p) answer.sum += each;
+        answer.primal = solved.result.kkt_primal;
+        answer.dual = solved.result.kkt_dual;
+        answer.complementarity = solved.result.kkt_complementarity;
+        answers.push_back(answer);
+        p.insert(p.end(), solved.p.begin(), solved.p.end());
+      }
     }
-    rc_contact_destroy(contact);
-    rc_options_destroy(options);
   }
 };
 
@@ -96,9 +75,7 @@ rc_status solve_many(const rc_host*, rc_many* many, const rc_options*) {
 }
 
 rc_status one_at_a_time(const rc_host*, const rc_problem* problem, const rc_options*, double* p, double*) {
-  std::vector<std::int64_t> all(static_cast<std::size_t>(problem->n));
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<std::int64_t>(i);
-  return problem->inner(problem, "polonsky-keer", problem->n, all.data(), problem->tol, p, nullptr);
+  return inner_solve(problem, "polonsky-keer", p);
 }
 
 rc_status cheapest(const rc_facts*, rc_estimate* estimate) {
@@ -106,34 +83,15 @@ rc_status cheapest(const rc_facts*, rc_estimate* estimate) {
   return RC_OK;
 }
 
-const rc_plugin& plugin() {
-  static const rc_solver solver = [] {
-    rc_solver each{};
-    each.struct_size = sizeof each;
-    each.name = "liar";
-    each.summary = "a test's";
-    each.license = "BSD-3-Clause";
-    each.needs = RC_TAKES_CAP;
-    each.controls = RC_CONTROL_APPROACH;
-    each.solve = one_at_a_time;
-    each.score = cheapest;
-    each.solve_many = solve_many;
-    return each;
-  }();
-  static const rc_solver* const solvers[] = {&solver};
-  static const rc_plugin all = [] {
-    rc_plugin each{};
-    each.struct_size = sizeof each;
-    each.abi_major = RC_PLUGIN_ABI_MAJOR;
-    each.abi_minor = RC_PLUGIN_ABI_MINOR;
-    each.name = "liar";
-    each.version = "1";
-    each.n_solvers = 1;
-    each.solvers = solvers;
-    return each;
-  }();
-  return all;
-}
+const rc_solver liar = [] {
+  rc_solver each = component<rc_solver>("liar");
+  each.needs = RC_TAKES_CAP;
+  each.controls = RC_CONTROL_APPROACH;
+  each.solve = one_at_a_time;
+  each.score = cheapest;
+  each.solve_many = solve_many;
+  return each;
+}();
 
 struct Found {
   rc_status status = RC_OK;
@@ -153,23 +111,20 @@ Found solved(
   scene = &of;
   lie = how;
   const Registry registry("", RC_CONTEXT_NO_PLUGINS);
-  assert_int_equal(rc_context_register(registry.get(), &plugin()), RC_OK);
-  rc_options* options = nullptr;
-  assert_int_equal(rc_options_create(registry.get(), &options), RC_OK);
-  assert_int_equal(rc_options_set_text(options, RC_OPT_SOLVER, solver), RC_OK);
-  assert_int_equal(rc_options_set_number(options, RC_OPT_TOL, tol), RC_OK);
+  assert_int_equal(registry.add(liar), RC_OK);
+  const pairs::Options options = pairs::make_options({solver, "auto"}, "auto", {{RC_OPT_TOL, "1e-6"}}, registry.get());
   Found f;
   const auto slots = static_cast<std::size_t>(of.n * of.steps);
   for (std::vector<double>* const each : {&f.load, &f.approach, &f.area, &f.certificate}) each->assign(slots, -7);
   f.iterations.assign(slots, -7);
   f.p.assign(static_cast<std::size_t>(of.n * points), -7);
   rc_batch b = RC_BATCH_INIT;
-  b.control = of.control;
+  b.control = of.problem.control;
   b.n = of.n;
   b.steps = of.steps;
   b.targets = RC_IN(of.targets.data());
   b.undeformed_gap = RC_IN(of.gaps.data());
-  b.mask = RC_IN(of.mask.data());
+  b.mask = RC_IN(of.problem.mask.data());
   b.mask_stride = RC_BATCH_SHARED;
   b.p = RC_OUT(f.p.data());
   b.columns.load = RC_OUT(f.load.data());
@@ -178,8 +133,7 @@ Found solved(
   b.columns.certificate = RC_OUT(f.certificate.data());
   b.columns.iterations = RC_OUT(f.iterations.data());
   change(b);
-  f.status = rc_batch_solve(&of.system, options, &b);
-  rc_options_destroy(options);
+  f.status = rc_batch_solve(&of.problem.system, options.get(), &b);
   f.log = registry.log();
   lie = nullptr;
   return f;
@@ -227,7 +181,7 @@ const Case lies[] = {
     {"an invented answer", "kkt_primal is 1",
      [](rc_many& m) {
        for_each_answer(m, [](rc_many_answer& answer, double* p) {
-         for (std::int64_t k = 0; k < points; ++k) p[k] = scene->mask[static_cast<std::size_t>(k)] ? -7 : 0;
+         for (std::int64_t k = 0; k < points; ++k) p[k] = scene->problem.mask[static_cast<std::size_t>(k)] ? -7 : 0;
          answer.sum = 123;
          answer.primal = answer.dual = answer.complementarity = 0;
        });
@@ -272,13 +226,11 @@ const Case lies[] = {
      [](rc_many& m) { m.answers[2].dual = 2e-6; }},
     {"residuals are too bad", ", reported as 4e-07",
      [](rc_many& m) { for_each_answer(m, [](rc_many_answer& answer, double*) { answer.complementarity = 4e-7; }); }},
-    {"one residual just below tol is not the true one", "contact 3, step 1: kkt_dual is ",
-     [](rc_many& m) { m.answers[7].dual = 0.9 * tol; }},
-    {"one complementarity just below tol is not the true one", "contact 3, step 1: kkt_complementarity is ",
-     [](rc_many& m) { m.answers[7].complementarity = 0.9 * tol; }},
+    {"approaches are off", "",
+     [](rc_many& m) { for_each_answer(m, [](rc_many_answer& answer, double*) { answer.compression *= 1.01; }); }},
 };
 
-void no_lie_is_taken(void**) {
+void no_lie_is_taken() {
   for (const std::int32_t control : {RC_CONTROL_APPROACH, RC_CONTROL_LOAD}) {
     const Scene of(control);
     for (const char* solver : {"liar", "auto"}) {
@@ -286,11 +238,11 @@ void no_lie_is_taken(void**) {
       expect_true(of, honest, "honest");
       assert_true(honest.taken() && !honest.refused());
       for (const Case& each : lies) {
+        if (control == RC_CONTROL_APPROACH && each.name == std::string("approaches are off")) continue;  // it is given
         const Found found = solved(of, each.lie, solver);
         expect_true(of, found, each.name);
-        if (!found.refused() || found.log.find("warning: solver \"liar\": contacts 0 .. 4 ") == std::string::npos)
-          fail_msg("%s: the log has \"%s\"", each.name, found.log.c_str());
-        if (control == RC_CONTROL_LOAD && found.log.find(each.reason) == std::string::npos)
+        const bool right = found.refused() && found.log.find("warning: solver \"liar\": contacts 0 .. 4 ") != std::string::npos;
+        if (!right || (control == RC_CONTROL_LOAD && found.log.find(each.reason) == std::string::npos))
           fail_msg("%s: the log has \"%s\"", each.name, found.log.c_str());
         for (const std::int64_t iterations : found.iterations) assert_true(iterations != 4242);
       }
@@ -298,15 +250,7 @@ void no_lie_is_taken(void**) {
   }
 }
 
-void no_false_approach_is_taken(void**) {
-  const Scene of(RC_CONTROL_LOAD);
-  const Found found =
-      solved(of, [](rc_many& m) { for_each_answer(m, [](rc_many_answer& a, double*) { a.compression *= 1.01; }); });
-  expect_true(of, found, "approach");
-  assert_true(found.refused());
-}
-
-void no_pressure_above_the_hardness_is_taken(void**) {
+void no_pressure_above_the_hardness_is_taken() {
   const Scene of(RC_CONTROL_LOAD, 3, 1, 0.2);
   const Found honest = solved(of, {});
   assert_true(honest.taken());
@@ -316,7 +260,7 @@ void no_pressure_above_the_hardness_is_taken(void**) {
 }
 
 // The rest of a call is solved alone as well if a contact that is said to be solved is not.
-void what_is_not_solved_hides_no_lie(void**) {
+void what_is_not_solved_hides_no_lie() {
   const Scene of(RC_CONTROL_LOAD);
   const Found some = solved(of, [](rc_many& m) { m.answers[2].solved = 0; });
   expect_true(of, some, "one is not solved");
@@ -346,7 +290,7 @@ void falsify(rc_many& many, std::int64_t i) {
 
 // The library recomputes 8 of 64 contacts, chosen at random: it finds a single false answer in one call of 8, wherever it is. A
 // solver cannot know which: also a lie that stays at one place is found in one call of 8, not in all or none.
-void one_lie_among_many_is_found_by_chance(void**) {
+void one_lie_among_many_is_found_by_chance() {
   constexpr std::int64_t n = 64, calls = 500;
   const Scene of(RC_CONTROL_APPROACH, n, 1);
   const auto check_found = [&](const char* where, const std::function<std::int64_t(std::int64_t)>& place) {
@@ -368,7 +312,7 @@ void one_lie_among_many_is_found_by_chance(void**) {
 
 // Residuals that are reported as more than half of tol are computed anew, of whichever contact: a false one is found in each
 // call.
-void residuals_near_tol_are_always_computed_anew(void**) {
+void residuals_near_tol_are_always_computed_anew() {
   constexpr std::int64_t n = 64;
   const Scene of(RC_CONTROL_APPROACH, n, 1);
   for (double rc_many_answer::*const residual : {&rc_many_answer::dual, &rc_many_answer::complementarity})
@@ -378,7 +322,7 @@ void residuals_near_tol_are_always_computed_anew(void**) {
 
 // A solver whose answers are often wrong is found in its first call. Of up to 8 contacts all are checked; one is false here. Of
 // more every second one is false: a call passes with a probability of 1/256, more than 8 of 100 calls with one below 1e-8.
-void many_lies_among_few_are_found_at_once(void**) {
+void many_lies_among_few_are_found_at_once() {
   constexpr std::int64_t calls = 100;
   for (const std::int64_t n : {2, 5, 8, 9, 24, 64}) {
     const Scene of(RC_CONTROL_APPROACH, n, 1);
@@ -394,7 +338,7 @@ void many_lies_among_few_are_found_at_once(void**) {
   }
 }
 
-void an_honest_call_of_many_is_taken(void**) {
+void an_honest_call_of_many_is_taken() {
   const Scene of(RC_CONTROL_LOAD, 200, 3);
   const Found found = solved(of, {});
   expect_true(of, found, "honest");
@@ -402,12 +346,12 @@ void an_honest_call_of_many_is_taken(void**) {
 }
 
 // Answers of many have no place for these numbers, so that each contact computes its own.
-void outputs_that_no_solver_of_many_gives_are_computed(void**) {
+void outputs_that_no_solver_of_many_gives_are_computed() {
   const Scene of(RC_CONTROL_LOAD);
   for (rc_array rc_columns::*const output :
        {&rc_columns::mean_gap, &rc_columns::energy, &rc_columns::stiffness, &rc_columns::load_lower, &rc_columns::load_upper,
         &rc_columns::area_lower, &rc_columns::area_upper, &rc_columns::stiffness_lower, &rc_columns::stiffness_upper}) {
-    std::vector<double> values(of.targets.size(), infinity);
+    std::vector<double> values(of.targets.size(), HUGE_VAL);
     const Found found = solved(of, {}, "liar", [&](rc_batch& b) { b.columns.*output = RC_OUT(values.data()); });
     expect_true(of, found, "more outputs");
     assert_true(!found.refused() && std::find(found.iterations.begin(), found.iterations.end(), 4242) == found.iterations.end());
@@ -417,16 +361,17 @@ void outputs_that_no_solver_of_many_gives_are_computed(void**) {
 
 }  // namespace
 
-const std::vector<CMUnitTest> many_liar_tests = {
-    cmocka_unit_test(no_lie_is_taken),
-    cmocka_unit_test(no_false_approach_is_taken),
-    cmocka_unit_test(no_pressure_above_the_hardness_is_taken),
-    cmocka_unit_test(what_is_not_solved_hides_no_lie),
-    cmocka_unit_test(one_lie_among_many_is_found_by_chance),
-    cmocka_unit_test(residuals_near_tol_are_always_computed_anew),
-    cmocka_unit_test(many_lies_among_few_are_found_at_once),
-    cmocka_unit_test(an_honest_call_of_many_is_taken),
-    cmocka_unit_test(outputs_that_no_solver_of_many_gives_are_computed),
-};
+std::vector<pairs::Test> many_liar_tests() {
+  return {
+      TEST(no_lie_is_taken),
+      TEST(no_pressure_above_the_hardness_is_taken),
+      TEST(what_is_not_solved_hides_no_lie),
+      TEST(one_lie_among_many_is_found_by_chance),
+      TEST(residuals_near_tol_are_always_computed_anew),
+      TEST(many_lies_among_few_are_found_at_once),
+      TEST(an_honest_call_of_many_is_taken),
+      TEST(outputs_that_no_solver_of_many_gives_are_computed),
+  };
+}
 
 }  // namespace plugins

@@ -10,6 +10,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// The current directory while it lives.
+class Current {
+ public:
+  explicit Current(const fs::path& path) : before_(fs::current_path()) { fs::current_path(path); }
+  ~Current() { fs::current_path(before_); }
+  Current(const Current&) = delete;
+  Current& operator=(const Current&) = delete;
+
+ private:
+  fs::path before_;
+};
+
 // RC_PLUGIN_PATH while it lives.
 class PluginPath {
  public:
@@ -19,31 +31,19 @@ class PluginPath {
   PluginPath& operator=(const PluginPath&) = delete;
 };
 
-void the_environment_is_searched(void**) {
+void the_environment_is_searched_unless_it_is_ignored() {
   const Scratch scratch;
   scratch.put({"toy"});
   const PluginPath path(scratch.path());
   assert_true(Registry("", 0).load("auto", "toy") > 0);
-}
-
-void the_environment_can_be_ignored(void**) {
-  const Scratch scratch;
-  scratch.put({"toy"});
-  const PluginPath path(scratch.path());
   assert_int_equal(Registry("", RC_CONTEXT_NO_ENVIRONMENT).names("toy"), RC_ERR_NO_BACKEND);
+  const Registry none(scratch.path(), RC_CONTEXT_NO_PLUGINS);
+  assert_int_equal(none.names("toy"), RC_ERR_NO_BACKEND);
+  assert_false(none.lists("toy"));
+  assert_true(none.load("auto", "auto") > 0);
 }
 
-void plugins_can_be_switched_off(void**) {
-  const Scratch scratch;
-  scratch.put({"toy"});
-  const PluginPath path(scratch.path());
-  const Registry registry(scratch.path(), RC_CONTEXT_NO_PLUGINS);
-  assert_int_equal(registry.names("toy"), RC_ERR_NO_BACKEND);
-  assert_false(registry.lists("toy"));
-  assert_true(registry.load("auto", "auto") > 0);
-}
-
-void the_configured_path_comes_before_the_environment(void**) {
+void the_configured_path_comes_before_the_environment() {
   const Scratch configured, environment;
   const std::string wanted = configured.put({"toy"});
   environment.put({"toy"});
@@ -51,7 +51,7 @@ void the_configured_path_comes_before_the_environment(void**) {
   assert_string_equal(Registry(configured.path(), 0).origin("toy").c_str(), wanted.c_str());
 }
 
-void the_first_directory_of_a_path_wins(void**) {
+void the_first_directory_of_a_path_wins() {
   const Scratch empty, first, second;
   const std::string wanted = first.put({"toy"});
   second.put({"toy"});
@@ -61,37 +61,24 @@ void the_first_directory_of_a_path_wins(void**) {
   assert_string_equal(registry.origin("toy").c_str(), wanted.c_str());
 }
 
-void the_current_directory_is_not_searched(void**) {
+void neither_the_current_directory_nor_relative_ones_are_searched() {
   const Scratch scratch;
   scratch.put({"toy"});
-  const fs::path before = fs::current_path();
-  fs::current_path(scratch.path());
-  const Registry registry("", 0);
-  const rc_status status = registry.names("toy");
-  const bool listed = registry.lists("toy");
-  fs::current_path(before);
-  assert_int_equal(status, RC_ERR_NO_BACKEND);
-  assert_false(listed);
-}
-
-void relative_directories_are_ignored_and_logged(void**) {
-  const Scratch scratch;
-  scratch.put({"toy"});
-  const fs::path before = fs::current_path();
-  fs::current_path(scratch.path());
+  const Current here(scratch.path());
+  const Registry nothing("", 0);
+  assert_int_equal(nothing.names("toy"), RC_ERR_NO_BACKEND);
+  assert_false(nothing.lists("toy"));
   const PluginPath path("./");
   const std::string beside = fs::path(scratch.path()).filename().string();
   const Registry registry(std::string(".") + support::folder_separator + "../" + beside, 0);
-  const rc_status status = registry.names("toy");
-  fs::current_path(before);
-  assert_int_equal(status, RC_ERR_NO_BACKEND);
+  assert_int_equal(registry.names("toy"), RC_ERR_NO_BACKEND);
   assert_has(registry.log(), "warning: plugin directory \".\" from the context's plugin_path ignored: it is not absolute");
   assert_has(registry.log(), "plugin directory \"../");
   assert_has(registry.log(), "plugin directory \"./\" from RC_PLUGIN_PATH ignored: it is not absolute");
 }
 
 // Relative ones and, on Windows, those of other machines and devices.
-void directories_by_other_names_are_ignored_and_logged(void**) {
+void directories_by_other_names_are_ignored_and_logged() {
   const Scratch scratch;
   scratch.put({"toy"});
   for (const std::string& name : support::other_names(scratch.path())) {
@@ -103,7 +90,7 @@ void directories_by_other_names_are_ignored_and_logged(void**) {
   }
 }
 
-void a_name_cannot_leave_the_directory(void**) {
+void a_name_cannot_leave_the_directory() {
   const Scratch scratch;
   // What the names would lead to if they were pasted into a path.
   fs::create_directory(scratch.path() + "/rcb_..");
@@ -124,7 +111,7 @@ void a_name_cannot_leave_the_directory(void**) {
   assert_string_equal(registry.log().c_str(), "");
 }
 
-void files_of_other_names_are_left_alone(void**) {
+void files_of_other_names_are_left_alone() {
   const Scratch scratch;
   scratch.put_as("toy", scratch.path() + "/toy" RC_PLUGIN_SUFFIX);
   scratch.put_as("toy", scratch.path() + "/rcb_toy" RC_PLUGIN_SUFFIX ".1");
@@ -134,28 +121,28 @@ void files_of_other_names_are_left_alone(void**) {
   assert_string_equal(registry.log().c_str(), "");
 }
 
-void a_missing_backend_says_how_to_get_it(void**) {
+void a_missing_backend_says_how_to_get_it() {
   const Registry registry("", RC_CONTEXT_NO_PLUGINS);
-  if (registry.lists("fft")) skip();  // linked into the library
+  if (registry.lists("fft")) throw pairs::Skipped("not on this system");  // linked into the library
   assert_int_equal(registry.names("fft"), RC_ERR_NO_BACKEND);
   assert_message_has("backend \"fft\" is not installed: its plugin rcb_fft" RC_PLUGIN_SUFFIX
                      " is in no plugin directory (built by default)");
   assert_message_has("available: ");
-  if (registry.lists("cholmod")) skip();
+  if (registry.lists("cholmod")) throw pairs::Skipped("not on this system");
   assert_int_equal(registry.names("cholmod"), RC_ERR_NO_BACKEND);
   assert_message_has("backend \"cholmod\" is not installed: its plugin rcb_cholmod" RC_PLUGIN_SUFFIX
                      " is in no plugin directory (needs SuiteSparse");
 }
 
-void a_plugin_cannot_replace_what_is_built_in(void**) {
+void a_plugin_cannot_replace_what_is_built_in() {
   const Scratch scratch;
   scratch.put_as("toy", scratch.file("dense"));
   const Registry registry(scratch.path());
-  if (registry.origin("dense") != "built-in") skip();
+  if (registry.origin("dense") != "built-in") throw pairs::Skipped("not on this system");
   assert_true(registry.load("auto", "dense") > 0);
 }
 
-void a_plugin_that_appears_later_is_found_by_name(void**) {
+void a_plugin_that_appears_later_is_found_by_name() {
   const Scratch scratch;
   const Registry registry(scratch.path());
   assert_int_equal(registry.names("toy"), RC_ERR_NO_BACKEND);
@@ -163,35 +150,31 @@ void a_plugin_that_appears_later_is_found_by_name(void**) {
   assert_int_equal(registry.names("toy"), RC_OK);
 }
 
-void a_deleted_working_directory_does_no_harm(void**) {
-  const fs::path before = fs::current_path();
+void a_deleted_working_directory_does_no_harm() {
+  const Current before(fs::current_path());
   {
     const Scratch scratch;
     fs::current_path(scratch.path());
   }
-  const Registry registry("", 0);
-  const double load = registry.load("auto", "auto");
-  fs::current_path(before);
-  assert_true(load > 0);
+  assert_true(Registry("", 0).load("auto", "auto") > 0);
 }
 
 }  // namespace
 
-const std::vector<CMUnitTest> place_tests = {
-    cmocka_unit_test(the_environment_is_searched),
-    cmocka_unit_test(the_environment_can_be_ignored),
-    cmocka_unit_test(plugins_can_be_switched_off),
-    cmocka_unit_test(the_configured_path_comes_before_the_environment),
-    cmocka_unit_test(the_first_directory_of_a_path_wins),
-    cmocka_unit_test(the_current_directory_is_not_searched),
-    cmocka_unit_test(relative_directories_are_ignored_and_logged),
-    cmocka_unit_test(directories_by_other_names_are_ignored_and_logged),
-    cmocka_unit_test(a_name_cannot_leave_the_directory),
-    cmocka_unit_test(files_of_other_names_are_left_alone),
-    cmocka_unit_test(a_missing_backend_says_how_to_get_it),
-    cmocka_unit_test(a_plugin_cannot_replace_what_is_built_in),
-    cmocka_unit_test(a_plugin_that_appears_later_is_found_by_name),
-    cmocka_unit_test(a_deleted_working_directory_does_no_harm),
-};
+std::vector<pairs::Test> place_tests() {
+  return {
+      TEST(the_environment_is_searched_unless_it_is_ignored),
+      TEST(the_configured_path_comes_before_the_environment),
+      TEST(the_first_directory_of_a_path_wins),
+      TEST(neither_the_current_directory_nor_relative_ones_are_searched),
+      TEST(directories_by_other_names_are_ignored_and_logged),
+      TEST(a_name_cannot_leave_the_directory),
+      TEST(files_of_other_names_are_left_alone),
+      TEST(a_missing_backend_says_how_to_get_it),
+      TEST(a_plugin_cannot_replace_what_is_built_in),
+      TEST(a_plugin_that_appears_later_is_found_by_name),
+      TEST(a_deleted_working_directory_does_no_harm),
+  };
+}
 
 }  // namespace plugins

@@ -26,52 +26,39 @@ void assert_refused(const Scratch& scratch, const std::string& name, const std::
   assert_true(listed.load("auto", "auto") > 0);
 }
 
-template <const auto& fixture> void is_refused(void**) {
-  const Scratch scratch;
-  scratch.put({fixture.name});
-  assert_refused(scratch, fixture.name, fixture.reason, fixture.level);
-  const Registry registry(scratch.path());
-  assert_false(registry.lists(std::string("second-of-") + fixture.name));  // all or nothing
-}
-
-struct Spoilt {
+struct Fixture {
   const char *name, *reason, *level = "warning: ";
 };
-constexpr Spoilt bad_abi{"bad_abi", "has plugin ABI 99, this library has 1; rebuild it against the installed headers"};
-constexpr Spoilt no_symbol{"no_symbol", "rcb_no_symbol" RC_PLUGIN_SUFFIX " does not export rc_plugin_query"};
-constexpr Spoilt wrong_name{"wrong_name", "rcb_wrong_name" RC_PLUGIN_SUFFIX " calls itself \"other\", not \"wrong_name\""};
-constexpr Spoilt no_name{"no_name", "rcb_no_name" RC_PLUGIN_SUFFIX " calls itself \"\", not \"no_name\""};
-constexpr Spoilt small_plugin{"small_plugin", "struct_size 8 is smaller than"};
-constexpr Spoilt small_backend{"small_backend", "a backend has struct_size 8, smaller than"};
-constexpr Spoilt no_backends{"no_backends", "a list of components is null"};
-constexpr Spoilt null_apply{"null_apply", "backend \"null_apply\" lacks one of create, destroy, bind, apply, field, modelled"};
-constexpr Spoilt cap_lies{"cap_lies", "backend \"cap_lies\" has no subset() but its caps say otherwise"};
-constexpr Spoilt no_license{"no_license", "component \"no_license\" lacks a summary or a licence"};
-constexpr Spoilt refuses{"refuses", "rcb_refuses" RC_PLUGIN_SUFFIX " refuses to be used: no accelerator here",
-                         "info: "};  // it says itself that it cannot serve here
-constexpr Spoilt describes_nothing{"describes_nothing", "rcb_describes_nothing" RC_PLUGIN_SUFFIX " describes nothing"};
-constexpr Spoilt option_key_wrong{"option_key_wrong",
-                                  "declares the option \"tol\"; its keys must start with \"option_key_wrong.\""};
-constexpr Spoilt option_default_wrong{
-    "option_default_wrong", "the default of an option does not fit: option \"option_default_wrong.order\" = \"diagonals\""};
-constexpr Spoilt second_is_bad{"second_is_bad",
-                               "a component is named \"No Name\"; names are [a-z][a-z0-9_-]*, at most 31 characters"};
-constexpr Spoilt second_is_taken{"second_is_taken", "a component named \"dense\" is registered already"};
+constexpr Fixture fixtures[] = {
+    {"bad_abi", "has plugin ABI 99, this library has 1; rebuild it against the installed headers"},
+    {"no_symbol", "rcb_no_symbol" RC_PLUGIN_SUFFIX " does not export rc_plugin_query"},
+    {"wrong_name", "rcb_wrong_name" RC_PLUGIN_SUFFIX " calls itself \"other\", not \"wrong_name\""},
+    {"no_name", "rcb_no_name" RC_PLUGIN_SUFFIX " calls itself \"\", not \"no_name\""},
+    {"refuses", "rcb_refuses" RC_PLUGIN_SUFFIX " refuses to be used: no accelerator here",
+     "info: "},  // says itself that it cannot
+    {"describes_nothing", "rcb_describes_nothing" RC_PLUGIN_SUFFIX " describes nothing"},
+    {"second_is_bad", "a component is named \"No Name\"; names are [a-z][a-z0-9_-]*, at most 31 characters"},
+};
 
-void a_text_file_is_refused(void**) {
-  const Scratch scratch;
-  std::ofstream(scratch.file("text")) << std::string(1000, 'x');
-  assert_refused(scratch, "text", "rcb_text" RC_PLUGIN_SUFFIX " is not a shared object of this machine");
+void spoilt_files_are_refused() {
+  for (const Fixture& each : fixtures) {
+    const Scratch scratch;
+    scratch.put({each.name});
+    assert_refused(scratch, each.name, each.reason, each.level);
+    assert_false(Registry(scratch.path()).lists(std::string("second-of-") + each.name));  // all or nothing
+  }
 }
 
-void an_empty_file_is_refused(void**) {
-  const Scratch scratch;
-  std::ofstream(scratch.file("empty")).flush();
-  assert_refused(scratch, "empty", "rcb_empty" RC_PLUGIN_SUFFIX " is not a shared object of this machine");
+void files_that_are_no_shared_objects_are_refused() {
+  for (const std::size_t size : {0, 1000}) {
+    const Scratch scratch;
+    std::ofstream(scratch.file("text")) << std::string(size, 'x');
+    assert_refused(scratch, "text", "rcb_text" RC_PLUGIN_SUFFIX " is not a shared object of this machine");
+  }
 }
 
 // Wherever a copy breaks off, it is refused before the system's loader touches what is missing.
-void a_truncated_shared_object_is_refused(void**) {
+void a_truncated_shared_object_is_refused() {
   const Scratch scratch;
   const std::string file = scratch.put({"toy"});
   for (std::uintmax_t size = fs::file_size(file) / 2; size > 0; size /= 2) {
@@ -84,7 +71,7 @@ void a_truncated_shared_object_is_refused(void**) {
   }
 }
 
-void a_shared_object_of_another_processor_is_refused(void**) {
+void a_shared_object_of_another_processor_is_refused() {
   const Scratch scratch;
   const std::string path = scratch.put({"toy"});
   std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
@@ -93,7 +80,7 @@ void a_shared_object_of_another_processor_is_refused(void**) {
   assert_refused(scratch, "toy", "rcb_toy" RC_PLUGIN_SUFFIX " is not a shared object of this machine");
 }
 
-void a_plugin_that_needs_a_missing_library_is_refused(void**) {
+void a_plugin_that_needs_a_missing_library_is_refused() {
   const Scratch scratch;
   std::fstream file(scratch.put({"toy"}), std::ios::in | std::ios::out | std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
@@ -104,56 +91,47 @@ void a_plugin_that_needs_a_missing_library_is_refused(void**) {
   assert_refused(scratch, "toy", "rcb_toy" RC_PLUGIN_SUFFIX " cannot be loaded: ");
 }
 
-void a_directory_in_place_of_a_file_is_refused(void**) {
+void a_directory_in_place_of_a_file_is_refused() {
   const Scratch scratch;
   fs::create_directory(scratch.file("folder"));
   assert_refused(scratch, "folder", "rcb_folder" RC_PLUGIN_SUFFIX " is not a regular file");
 }
 
-void a_pipe_is_refused_without_waiting_for_it(void**) {
+void a_pipe_is_refused_without_waiting_for_it() {
   const Scratch scratch;
-  if (!support::make_pipe(scratch.file("pipe"))) skip();
+  if (!support::make_pipe(scratch.file("pipe"))) throw pairs::Skipped("not on this system");
   assert_refused(scratch, "pipe", "rcb_pipe" RC_PLUGIN_SUFFIX " is not a regular file");
 }
 
-void a_world_writable_file_is_refused(void**) {
-  const Scratch scratch;
-  const std::string file = scratch.put({"toy"});
-  support::let_everybody_write(file);
-  assert_refused(scratch, "toy", "plugin refused: " + file + support::writable_to_all);
+void what_everybody_can_write_to_is_refused() {
+  for (const bool folder : {false, true}) {
+    const Scratch scratch;
+    const std::string file = scratch.put({"toy"}), spoilt_path = folder ? scratch.path() : file;
+    support::let_everybody_write(spoilt_path);
+    assert_refused(scratch, "toy", "plugin refused: " + spoilt_path + support::writable_to_all);
+  }
 }
 
-void a_world_writable_directory_is_refused(void**) {
-  const Scratch scratch;
-  scratch.put({"toy"});
-  support::let_everybody_write(scratch.path());
-  assert_refused(scratch, "toy", "plugin refused: " + scratch.path() + support::writable_to_all);
-}
-
-void a_link_to_a_world_writable_file_is_refused(void**) {
+void a_link_to_a_world_writable_file_is_refused() {
   const Scratch scratch, elsewhere;
   const std::string target = elsewhere.put({"toy"});
   support::let_everybody_write(target);
   std::error_code impossible;
   fs::create_symlink(target, scratch.file("toy"), impossible);
-  if (impossible) skip();
+  if (impossible) throw pairs::Skipped("not on this system");
   assert_refused(scratch, "toy", support::writable_to_all);
 }
 
-void a_file_of_another_user_is_refused(void**) {
-  const Scratch scratch;
-  if (!support::give_away(scratch.put({"toy"}))) skip();
-  assert_refused(scratch, "toy", support::owned_by_another);
+void what_belongs_to_another_user_is_refused() {
+  for (const bool folder : {false, true}) {
+    const Scratch scratch;
+    const std::string file = scratch.put({"toy"});
+    if (!support::give_away(folder ? scratch.path() : file)) throw pairs::Skipped("only for the superuser");
+    assert_refused(scratch, "toy", support::owned_by_another);
+  }
 }
 
-void a_directory_of_another_user_is_refused(void**) {
-  const Scratch scratch;
-  scratch.put({"toy"});
-  if (!support::give_away(scratch.path())) skip();
-  assert_refused(scratch, "toy", support::owned_by_another);
-}
-
-void one_bad_plugin_does_not_hide_the_good_ones(void**) {
+void one_bad_plugin_does_not_hide_the_good_ones() {
   const Scratch scratch;
   scratch.put({"bad_abi", "no_symbol", "second_is_bad", "toy", "wrong_name"});
   const Registry registry(scratch.path());
@@ -161,7 +139,7 @@ void one_bad_plugin_does_not_hide_the_good_ones(void**) {
   for (const char* name : {"bad_abi", "no_symbol", "second_is_bad", "wrong_name"}) assert_has(registry.log(), name);
 }
 
-void a_refused_plugin_leaves_no_options(void**) {
+void a_refused_plugin_leaves_no_options() {
   const Scratch scratch;
   scratch.put({"second_is_bad"});
   const Registry registry(scratch.path());
@@ -173,42 +151,23 @@ void a_refused_plugin_leaves_no_options(void**) {
   }
 }
 
-#define REFUSED(fixture) \
-  { #fixture "_is_refused", is_refused < fixture>, nullptr, nullptr, nullptr }
-
 }  // namespace
 
-const std::vector<CMUnitTest> refused_tests = {
-    REFUSED(bad_abi),
-    REFUSED(no_symbol),
-    REFUSED(wrong_name),
-    REFUSED(no_name),
-    REFUSED(small_plugin),
-    REFUSED(small_backend),
-    REFUSED(no_backends),
-    REFUSED(null_apply),
-    REFUSED(cap_lies),
-    REFUSED(no_license),
-    REFUSED(refuses),
-    REFUSED(describes_nothing),
-    REFUSED(option_key_wrong),
-    REFUSED(option_default_wrong),
-    REFUSED(second_is_bad),
-    REFUSED(second_is_taken),
-    cmocka_unit_test(a_text_file_is_refused),
-    cmocka_unit_test(an_empty_file_is_refused),
-    cmocka_unit_test(a_truncated_shared_object_is_refused),
-    cmocka_unit_test(a_shared_object_of_another_processor_is_refused),
-    cmocka_unit_test(a_plugin_that_needs_a_missing_library_is_refused),
-    cmocka_unit_test(a_directory_in_place_of_a_file_is_refused),
-    cmocka_unit_test(a_pipe_is_refused_without_waiting_for_it),
-    cmocka_unit_test(a_world_writable_file_is_refused),
-    cmocka_unit_test(a_world_writable_directory_is_refused),
-    cmocka_unit_test(a_link_to_a_world_writable_file_is_refused),
-    cmocka_unit_test(a_file_of_another_user_is_refused),
-    cmocka_unit_test(a_directory_of_another_user_is_refused),
-    cmocka_unit_test(one_bad_plugin_does_not_hide_the_good_ones),
-    cmocka_unit_test(a_refused_plugin_leaves_no_options),
-};
+std::vector<pairs::Test> refused_tests() {
+  return {
+      TEST(spoilt_files_are_refused),
+      TEST(files_that_are_no_shared_objects_are_refused),
+      TEST(a_truncated_shared_object_is_refused),
+      TEST(a_shared_object_of_another_processor_is_refused),
+      TEST(a_plugin_that_needs_a_missing_library_is_refused),
+      TEST(a_directory_in_place_of_a_file_is_refused),
+      TEST(a_pipe_is_refused_without_waiting_for_it),
+      TEST(what_everybody_can_write_to_is_refused),
+      TEST(a_link_to_a_world_writable_file_is_refused),
+      TEST(what_belongs_to_another_user_is_refused),
+      TEST(one_bad_plugin_does_not_hide_the_good_ones),
+      TEST(a_refused_plugin_leaves_no_options),
+  };
+}
 
 }  // namespace plugins

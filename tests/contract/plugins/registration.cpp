@@ -1,10 +1,7 @@
 // Plugins linked into the host program.
 #include "scratch.h"
-#include "support/unit_system.h"
 
 namespace plugins {
-
-namespace {
 
 const rc_plugin& linked() {
   const rc_plugin* plugin = nullptr;
@@ -12,7 +9,9 @@ const rc_plugin& linked() {
   return *plugin;
 }
 
-void a_linked_plugin_is_registered_and_solves(void**) {
+namespace {
+
+void a_linked_plugin_is_registered_and_solves() {
   const Registry registry("", RC_CONTEXT_NO_PLUGINS);
   assert_int_equal(rc_context_register(registry.get(), &linked()), RC_OK);
   assert_string_equal(registry.origin("linked").c_str(), "registered");
@@ -20,7 +19,7 @@ void a_linked_plugin_is_registered_and_solves(void**) {
   assert_true(registry.load("polonsky-keer", "linked") > 0);
 }
 
-void the_same_plugin_is_registered_only_once(void**) {
+void the_same_plugin_is_registered_only_once() {
   const Registry registry("", RC_CONTEXT_NO_PLUGINS);
   assert_int_equal(rc_context_register(registry.get(), &linked()), RC_OK);
   const std::int64_t count = rc_component_count(registry.get(), RC_COMPONENT_BACKEND),
@@ -31,141 +30,128 @@ void the_same_plugin_is_registered_only_once(void**) {
   assert_int_equal(rc_component_count(registry.get(), RC_COMPONENT_OPTION), options);
 }
 
-void contexts_do_not_share_what_is_registered(void**) {
+void contexts_do_not_share_what_is_registered() {
   const Registry one("", RC_CONTEXT_NO_PLUGINS), other("", RC_CONTEXT_NO_PLUGINS);
   assert_int_equal(rc_context_register(one.get(), &linked()), RC_OK);
   assert_int_equal(other.names("linked"), RC_ERR_NO_BACKEND);
 }
 
-// Registers a copy with one member changed.
-template <class Change> rc_status registered(const Change& change) {
-  const Registry registry("", RC_CONTEXT_NO_PLUGINS);
-  rc_plugin plugin = linked();
-  change(plugin);
-  return rc_context_register(registry.get(), &plugin);
-}
-
-void spoilt_descriptions_are_refused(void**) {
-  assert_int_equal(registered([](rc_plugin&) {}), RC_OK);
-  static const rc_backend* const nothing[] = {nullptr, nullptr};
-  assert_int_equal(registered([](rc_plugin& p) { p.backends = nothing; }), RC_ERR_PLUGIN);
-  assert_message_has("a component is null");
-}
-
-// Registers one backend with one member changed.
-template <class Change> rc_status backend_registered(const Change& change) {
-  static rc_backend backend;
-  static const rc_backend* const list[] = {&backend};
-  backend = *linked().backends[0];
-  change(backend);
-  return registered([](rc_plugin& plugin) {
-    plugin.n_backends = 1;
-    plugin.backends = list;
-  });
-}
-
-void spoilt_backends_are_refused(void**) {
-  assert_int_equal(backend_registered([](rc_backend&) {}), RC_OK);
-  assert_int_equal(backend_registered([](rc_backend& b) { b.struct_size = 0; }), RC_ERR_PLUGIN);
-  assert_int_equal(backend_registered([](rc_backend& b) { b.struct_size = sizeof b + 800; }), RC_OK);
-  assert_int_equal(backend_registered([](rc_backend& b) { b.name = nullptr; }), RC_ERR_PLUGIN);
-  assert_int_equal(backend_registered([](rc_backend& b) { b.name = "a/b"; }), RC_ERR_PLUGIN);
-  assert_int_equal(backend_registered([](rc_backend& b) { b.name = "abcdefghijklmnopqrstuvwxyzabcdef"; }), RC_ERR_PLUGIN);
-  assert_int_equal(backend_registered([](rc_backend& b) { b.summary = nullptr; }), RC_ERR_PLUGIN);
-  assert_int_equal(backend_registered([](rc_backend& b) { b.create = nullptr; }), RC_ERR_PLUGIN);
-  assert_int_equal(backend_registered([](rc_backend& b) { b.destroy = nullptr; }), RC_ERR_PLUGIN);
-  assert_int_equal(backend_registered([](rc_backend& b) { b.bind = nullptr; }), RC_ERR_PLUGIN);
-  assert_int_equal(backend_registered([](rc_backend& b) { b.field = nullptr; }), RC_ERR_PLUGIN);
-  assert_int_equal(backend_registered([](rc_backend& b) { b.modelled = nullptr; }), RC_ERR_PLUGIN);
-  assert_int_equal(backend_registered([](rc_backend& b) { b.options = nullptr; }), RC_ERR_PLUGIN);
-  assert_message_has("has options, but the list is null");
-  static const rc_component* const nothing[] = {nullptr};
-  assert_int_equal(backend_registered([](rc_backend& b) { b.options = nothing; }), RC_ERR_PLUGIN);
-  assert_message_has("option 0 is null");
-}
-
 rc_status any_shifted(void*, double, const double*, double*) { return RC_OK; }
 rc_status any_norm(void*, double*) { return RC_OK; }
+const rc_backend* const no_backend[] = {nullptr, nullptr};
+const rc_component* const no_option[] = {nullptr};
+rc_component option_named_tol, option_with_a_wrong_default;
 
-void new_operations_and_their_bits_go_together(void**) {
-  assert_int_equal(backend_registered([](rc_backend& b) { b.caps |= RC_CAP_SHIFTED; }), RC_ERR_PLUGIN);
-  assert_message_has("has no shifted() but its caps say otherwise");
-  assert_int_equal(backend_registered([](rc_backend& b) { b.caps |= RC_CAP_NORM; }), RC_ERR_PLUGIN);
-  assert_message_has("has no norm() but its caps say otherwise");
-  assert_int_equal(backend_registered([](rc_backend& b) { b.shifted = any_shifted; }), RC_ERR_PLUGIN);
-  assert_message_has("has shifted() but its caps say otherwise");
-  assert_int_equal(backend_registered([](rc_backend& b) { b.norm = any_norm; }), RC_ERR_PLUGIN);
-  assert_message_has("has norm() but its caps say otherwise");
+// One member of a plugin or of its second backend changed, and the reason for which it is refused; null: it is not.
+struct Spoilt {
+  void (*spoil)(rc_plugin&, rc_backend&);
+  const char* reason;
+};
+const Spoilt spoilt[] = {
+    {[](rc_plugin&, rc_backend&) {}, nullptr},
+    {[](rc_plugin&, rc_backend& b) { b.struct_size = sizeof b + 800; }, nullptr},
+    {[](rc_plugin& p, rc_backend&) { p.struct_size = 8; }, "struct_size 8 is smaller than"},
+    {[](rc_plugin& p, rc_backend&) { p.backends = nullptr; }, "a list of components is null"},
+    {[](rc_plugin& p, rc_backend&) { p.backends = no_backend; }, "a component is null"},
+    {[](rc_plugin&, rc_backend& b) { b.struct_size = 0; }, "a backend has struct_size 0, smaller than"},
+    {[](rc_plugin&, rc_backend& b) { b.name = nullptr; }, "a component is named"},
+    {[](rc_plugin&, rc_backend& b) { b.name = "a/b"; },
+     "a component is named \"a/b\"; names are [a-z][a-z0-9_-]*, at most 31 characters"},
+    {[](rc_plugin&, rc_backend& b) { b.name = "abcdefghijklmnopqrstuvwxyzabcdef"; }, "at most 31 characters"},
+    {[](rc_plugin&, rc_backend& b) { b.name = "dense"; }, "a component named \"dense\" is registered already"},
+    {[](rc_plugin&, rc_backend& b) { b.summary = nullptr; }, "lacks a summary or a licence"},
+    {[](rc_plugin&, rc_backend& b) { b.license = nullptr; }, "component \"spoilt\" lacks a summary or a licence"},
+    {[](rc_plugin&, rc_backend& b) { b.create = nullptr; }, "lacks one of create, destroy, bind, apply, field, modelled"},
+    {[](rc_plugin&, rc_backend& b) { b.destroy = nullptr; }, "lacks one of create"},
+    {[](rc_plugin&, rc_backend& b) { b.bind = nullptr; }, "lacks one of create"},
+    {[](rc_plugin&, rc_backend& b) { b.apply = nullptr; }, "lacks one of create"},
+    {[](rc_plugin&, rc_backend& b) { b.field = nullptr; }, "lacks one of create"},
+    {[](rc_plugin&, rc_backend& b) { b.modelled = nullptr; }, "lacks one of create"},
+    {[](rc_plugin&, rc_backend& b) { b.options = nullptr, b.n_options = 1; }, "has options, but the list is null"},
+    {[](rc_plugin&, rc_backend& b) { b.options = no_option, b.n_options = 1; }, "option 0 is null"},
+    {[](rc_plugin&, rc_backend& b) { b.caps |= RC_CAP_SUBSET; }, "backend \"spoilt\" has no subset() but its caps say otherwise"},
+    {[](rc_plugin&, rc_backend& b) { b.caps |= RC_CAP_SHIFTED; }, "has no shifted() but its caps say otherwise"},
+    {[](rc_plugin&, rc_backend& b) { b.caps |= RC_CAP_NORM; }, "has no norm() but its caps say otherwise"},
+    {[](rc_plugin&, rc_backend& b) { b.shifted = any_shifted; }, "has shifted() but its caps say otherwise"},
+    {[](rc_plugin&, rc_backend& b) { b.norm = any_norm; }, "has norm() but its caps say otherwise"},
+    {[](rc_plugin&, rc_backend& b) {
+       option_named_tol = *linked().backends[0]->options[0];
+       option_named_tol.name = "tol";
+       static const rc_component* const list[] = {&option_named_tol};
+       b.options = list, b.n_options = 1;
+     },
+     "declares the option \"tol\"; its keys must start with \"spoilt.\""},
+    {[](rc_plugin&, rc_backend& b) {
+       option_with_a_wrong_default = *linked().backends[0]->options[0];
+       option_with_a_wrong_default.name = "spoilt.order";
+       option_with_a_wrong_default.default_value = "diagonals";
+       static const rc_component* const list[] = {&option_with_a_wrong_default};
+       b.options = list, b.n_options = 1;
+     },
+     "the default of an option does not fit: option \"spoilt.order\" = \"diagonals\""},
+};
+
+// All or nothing: neither the first backend nor its options are there afterwards.
+void spoilt_descriptions_are_refused() {
+  for (const Spoilt& each : spoilt) {
+    const Registry registry("", RC_CONTEXT_NO_PLUGINS);
+    const std::int64_t options = rc_component_count(registry.get(), RC_COMPONENT_OPTION);
+    rc_backend second = *linked().backends[1];
+    second.name = "spoilt";
+    const rc_backend* const list[] = {linked().backends[0], &second};
+    rc_plugin plugin = linked();
+    plugin.backends = list;
+    each.spoil(plugin, second);
+    assert_int_equal(rc_context_register(registry.get(), &plugin), each.reason ? RC_ERR_PLUGIN : RC_OK);
+    if (!each.reason) continue;
+    assert_message_has(each.reason);
+    assert_false(registry.lists("linked"));
+    assert_int_equal(rc_component_count(registry.get(), RC_COMPONENT_OPTION), options);
+  }
 }
 
 rc_status no_step(const rc_host*, const rc_problem*, const rc_options*, double*, double*) { return RC_STOP_STALLED; }
 
 // Rows are for solvers that are built into the library.
-void a_solver_that_takes_rows_is_refused(void**) {
-  static rc_solver solver = {.struct_size = sizeof(rc_solver),
-                             .name = "by-rows",
-                             .summary = "a test's",
-                             .license = "BSD-3-Clause",
-                             .controls = RC_CONTROL_APPROACH,
-                             .solve = no_step};
-  static const rc_solver* const list[] = {&solver};
-  const auto change = [](rc_plugin& plugin) {
-    plugin.n_solvers = 1;
-    plugin.solvers = list;
-  };
-  assert_int_equal(registered(change), RC_OK);
+void a_solver_that_takes_rows_is_refused() {
+  rc_solver solver = component<rc_solver>("by-rows");
+  solver.controls = RC_CONTROL_APPROACH;
+  solver.solve = no_step;
+  assert_int_equal(Registry("", RC_CONTEXT_NO_PLUGINS).add(solver), RC_OK);
   solver.needs = RC_TAKES_ROWS;
-  assert_int_equal(registered(change), RC_ERR_PLUGIN);
+  assert_int_equal(Registry("", RC_CONTEXT_NO_PLUGINS).add(solver), RC_ERR_PLUGIN);
   assert_message_has("solver \"by-rows\" takes rows, which only solvers built into the library can");
 }
 
-// A backend that goes wrong once it is in use.
+// A backend that goes wrong once it is in use. Twice: a failed step must leave the contact usable.
+template <class Change> void assert_solve_gives(rc_status expected, const char* message, const Change& change) {
+  rc_backend backend = *linked().backends[0];
+  change(backend);
+  const Registry registry("", RC_CONTEXT_NO_PLUGINS);
+  assert_int_equal(registry.add(backend), RC_OK);
+  pairs::Problem problem;
+  problem.system.nx = 2;
+  problem.gap = {0, 0.1};
+  problem.target = 1;
+  Pressed pressed(registry, problem, {{RC_OPT_BACKEND, "linked"}});
+  for (int attempt = 0; attempt < 2; ++attempt, pressed.again()) {
+    assert_int_equal(pressed.status, expected);
+    assert_message_has(message);
+  }
+}
+
 rc_status failing_create(const rc_host* host, const rc_operator_spec*, void**) {
   return host->fail(host, RC_ERR_MEMORY, "no room on the device");
 }
 rc_status silent_failure(void*, const rc_domain*) { return RC_ERR_INTERNAL; }
 
-template <class Change> void assert_solve_gives(rc_status expected, const char* message, const Change& change) {
-  static rc_backend backend;
-  static const rc_backend* const list[] = {&backend};
-  backend = *linked().backends[0];
-  change(backend);
-  rc_plugin plugin = linked();
-  plugin.n_backends = 1;
-  plugin.backends = list;
-  const Registry registry("", RC_CONTEXT_NO_PLUGINS);
-  assert_int_equal(rc_context_register(registry.get(), &plugin), RC_OK);
-  rc_options* options = nullptr;
-  assert_int_equal(rc_options_create(registry.get(), &options), RC_OK);
-  assert_int_equal(rc_options_set_text(options, RC_OPT_BACKEND, "linked"), RC_OK);
-  rc_system system = support::unit_system();
-  system.nx = 2;
-  rc_contact* contact = nullptr;
-  assert_int_equal(rc_contact_create(&system, options, &contact), RC_OK);
-  const double gap[] = {0, 0.1};
-  rc_step step = RC_STEP_INIT;
-  step.control = RC_CONTROL_APPROACH;
-  step.undeformed_gap.data = gap;
-  step.target = 1;
-  // Twice: a failed step must leave the contact usable.
-  for (int attempt = 0; attempt < 2; ++attempt) {
-    rc_result result = RC_RESULT_INIT;
-    double deformed[2];
-    result.gap.data = deformed;  // takes the product over all points
-    assert_int_equal(rc_contact_solve(contact, &step, &result), expected);
-    assert_message_has(message);
-  }
-  rc_contact_destroy(contact);
-  rc_options_destroy(options);
-}
-
-void failures_of_a_backend_in_use_are_passed_on(void**) {
+void failures_of_a_backend_in_use_are_passed_on() {
   assert_solve_gives(RC_ERR_MEMORY, "rc_contact_solve: no room on the device", [](rc_backend& b) { b.create = failing_create; });
   assert_solve_gives(RC_ERR_INTERNAL, "binding the trial set failed with RC_ERR_INTERNAL",
                      [](rc_backend& b) { b.bind = silent_failure; });
 }
 
-void products_that_are_not_finite_are_not_an_answer(void**) {
+void products_that_are_not_finite_are_not_an_answer() {
   assert_solve_gives(RC_ERR_NUMERIC, "rc_contact_solve: ", [](rc_backend& b) {
     b.apply = b.field = [](void*, const double*, double* y) {
       y[0] = y[1] = __builtin_nan("");
@@ -174,7 +160,7 @@ void products_that_are_not_finite_are_not_an_answer(void**) {
   });
 }
 
-void a_product_that_is_wrong_is_uncertified(void**) {
+void a_product_that_is_wrong_is_uncertified() {
   assert_solve_gives(RC_UNCERTIFIED, "the solver claimed success, the library's own check disagrees", [](rc_backend& b) {
     b.field = [](void*, const double* x, double* y) {
       y[0] = 2 * x[0];
@@ -186,17 +172,17 @@ void a_product_that_is_wrong_is_uncertified(void**) {
 
 }  // namespace
 
-const std::vector<CMUnitTest> registration_tests = {
-    cmocka_unit_test(a_linked_plugin_is_registered_and_solves),
-    cmocka_unit_test(the_same_plugin_is_registered_only_once),
-    cmocka_unit_test(contexts_do_not_share_what_is_registered),
-    cmocka_unit_test(spoilt_descriptions_are_refused),
-    cmocka_unit_test(spoilt_backends_are_refused),
-    cmocka_unit_test(new_operations_and_their_bits_go_together),
-    cmocka_unit_test(a_solver_that_takes_rows_is_refused),
-    cmocka_unit_test(failures_of_a_backend_in_use_are_passed_on),
-    cmocka_unit_test(products_that_are_not_finite_are_not_an_answer),
-    cmocka_unit_test(a_product_that_is_wrong_is_uncertified),
-};
+std::vector<pairs::Test> registration_tests() {
+  return {
+      TEST(a_linked_plugin_is_registered_and_solves),
+      TEST(the_same_plugin_is_registered_only_once),
+      TEST(contexts_do_not_share_what_is_registered),
+      TEST(spoilt_descriptions_are_refused),
+      TEST(a_solver_that_takes_rows_is_refused),
+      TEST(failures_of_a_backend_in_use_are_passed_on),
+      TEST(products_that_are_not_finite_are_not_an_answer),
+      TEST(a_product_that_is_wrong_is_uncertified),
+  };
+}
 
 }  // namespace plugins

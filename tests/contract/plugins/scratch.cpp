@@ -1,12 +1,12 @@
 #include "scratch.h"
 
-#include <cstring>
 #include <filesystem>
+#include <numeric>
 #include <random>
 #include <system_error>
 
+#include "support/surfaces.h"
 #include "support/system.h"
-#include "support/unit_system.h"
 
 namespace plugins {
 
@@ -40,65 +40,109 @@ Registry::Registry(const std::string& plugin_path, std::uint32_t flags) {
   const auto log = [](std::int32_t level, const char* message, void* user) {
     *static_cast<std::string*>(user) += (level == RC_LOG_WARNING ? "warning: " : "info: ") + std::string(message) + "\n";
   };
-  assert_int_equal(rc_context_create(flags, plugin_path.c_str(), log, &log_, &context_), RC_OK);
+  rc_context* made = nullptr;
+  assert_int_equal(rc_context_create(flags, plugin_path.c_str(), log, log_.get(), &made), RC_OK);
+  context_.reset(made);
 }
-
-Registry::~Registry() { rc_context_destroy(context_); }
 
 namespace {
 
-constexpr std::int64_t nx = 6, ny = 5;
+rc_plugin empty_plugin() {
+  rc_plugin plugin{};
+  plugin.struct_size = sizeof plugin;
+  plugin.abi_major = RC_PLUGIN_ABI_MAJOR;
+  plugin.abi_minor = RC_PLUGIN_ABI_MINOR;
+  plugin.name = "tests";
+  plugin.version = "1.0";
+  return plugin;
+}
 
-rc_system small_grid(std::int32_t boundary) {
-  rc_system system = support::unit_system();
-  system.nx = nx;
-  system.ny = ny;
-  system.boundary = boundary;
-  return system;
+pairs::Problem small_problem(std::int32_t boundary, std::int32_t control) {
+  pairs::Problem problem;
+  problem.system.nx = 6;
+  problem.system.ny = 5;
+  problem.system.boundary = boundary;
+  problem.gap = pairs::paraboloid(6, 5, 1, 2.5, 2, 10);
+  problem.control = control;
+  problem.target = control == RC_CONTROL_LOAD ? 2 : 0.2;
+  return problem;
 }
 
 }  // namespace
 
+rc_status Registry::add(const rc_backend& backend) const {
+  const rc_backend* const list[] = {&backend};
+  rc_plugin plugin = empty_plugin();
+  plugin.n_backends = 1;
+  plugin.backends = list;
+  return rc_context_register(get(), &plugin);
+}
+rc_status Registry::add(const rc_solver& solver) const {
+  const rc_solver* const list[] = {&solver};
+  rc_plugin plugin = empty_plugin();
+  plugin.n_solvers = 1;
+  plugin.solvers = list;
+  return rc_context_register(get(), &plugin);
+}
+rc_status Registry::add(const rc_kernel& kernel) const {
+  const rc_kernel* const list[] = {&kernel};
+  rc_plugin plugin = empty_plugin();
+  plugin.n_kernels = 1;
+  plugin.kernels = list;
+  return rc_context_register(get(), &plugin);
+}
+
 rc_status Registry::names(const std::string& backend) const {
-  rc_options* options = nullptr;
-  assert_int_equal(rc_options_create(context_, &options), RC_OK);
-  assert_int_equal(rc_options_set_text(options, RC_OPT_BACKEND, backend.c_str()), RC_OK);
-  const rc_system system = small_grid(RC_BOUNDARY_FREE);
+  const pairs::Problem problem = small_problem(RC_BOUNDARY_FREE, RC_CONTROL_APPROACH);
   rc_contact* contact = nullptr;
-  const rc_status status = rc_contact_create(&system, options, &contact);
+  const rc_status status =
+      rc_contact_create(&problem.system, pairs::make_options({"auto", backend}, "auto", {}, get()).get(), &contact);
   rc_contact_destroy(contact);
-  rc_options_destroy(options);
   return status;
 }
 
 double Registry::load(const std::string& solver, const std::string& backend, std::int32_t boundary, std::int32_t control) const {
-  rc_options* options = nullptr;
-  assert_int_equal(rc_options_create(context_, &options), RC_OK);
-  assert_int_equal(rc_options_set_text(options, RC_OPT_SOLVER, solver.c_str()), RC_OK);
-  assert_int_equal(rc_options_set_text(options, RC_OPT_BACKEND, backend.c_str()), RC_OK);
-  assert_int_equal(rc_options_set_number(options, RC_OPT_TOL, 1e-10), RC_OK);
-  std::vector<double> gap(nx * ny);
-  for (std::int64_t i = 0; i < nx * ny; ++i) {
-    const double x = static_cast<double>(i % nx) - 2.5, y = static_cast<double>(i / nx) - 2;
-    gap[static_cast<std::size_t>(i)] = 0.05 * (x * x + y * y);
-  }
-  const rc_system system = small_grid(boundary);
-  rc_step step = RC_STEP_INIT;
-  step.control = control;
-  step.target = control == RC_CONTROL_LOAD ? 2 : 0.2;
-  step.undeformed_gap.data = gap.data();
-  result_ = RC_RESULT_INIT;
-  const rc_status status = rc_solve(&system, &step, options, &result_);
-  if (status != RC_OK) print_message("%s on %s: %s\n", solver.c_str(), backend.c_str(), rc_last_error());
-  rc_options_destroy(options);
-  return status == RC_OK ? result_.load : 0;
+  const Pressed pressed(*this, small_problem(boundary, control), {{"solver", solver}, {"backend", backend}, {"tol", "1e-10"}});
+  result_ = pressed.result;
+  if (pressed.status != RC_OK) print_message("%s on %s: %s\n", solver.c_str(), backend.c_str(), rc_last_error());
+  return pressed.status == RC_OK ? result_.load : 0;
+}
+
+Pressed::Pressed(const Registry& registry, const pairs::Problem& problem, const pairs::Settings& settings)
+    : p(problem.points(), -7), gap(problem.points(), -7), problem_(problem) {
+  const pairs::Options options = pairs::make_options(pairs::automatic, problem.kernel, settings, registry.get());
+  rc_contact* made = nullptr;
+  status = rc_contact_create(&problem_.system, options.get(), &made);
+  contact_.reset(made);
+  if (status != RC_OK) return;
+  assert_string_equal(explanation().c_str(), "");
+  again();
+}
+
+void Pressed::again() {
+  const rc_step step = problem_.step();
+  result = RC_RESULT_INIT;
+  result.p.data = p.data();
+  result.gap.data = gap.data();
+  status = rc_contact_solve(contact_.get(), &step, &result);
+}
+
+std::string Pressed::explanation() const {
+  const char* text = nullptr;
+  assert_int_equal(rc_contact_explain(contact_.get(), &text), RC_OK);
+  return text;
+}
+
+rc_status inner_solve(const rc_problem* problem, const char* solver, double* p) {
+  std::vector<std::int64_t> all(static_cast<std::size_t>(problem->n));
+  std::iota(all.begin(), all.end(), 0);
+  return problem->inner(problem, solver, problem->n, all.data(), problem->tol, p, nullptr);
 }
 
 std::string Registry::origin(const std::string& backend) const {
-  for (std::int64_t i = 0; i < rc_component_count(context_, RC_COMPONENT_BACKEND); ++i) {
-    rc_component component{};
-    component.struct_size = sizeof component;
-    assert_int_equal(rc_component_describe(context_, RC_COMPONENT_BACKEND, i, &component), RC_OK);
+  for (std::int64_t i = 0; i < rc_component_count(get(), RC_COMPONENT_BACKEND); ++i) {
+    rc_component component = RC_COMPONENT_INIT;
+    assert_int_equal(rc_component_describe(get(), RC_COMPONENT_BACKEND, i, &component), RC_OK);
     if (backend == component.name) return component.origin;
   }
   return {};

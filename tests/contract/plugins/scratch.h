@@ -4,10 +4,12 @@
 #include <roughcontact/plugin.h>
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "support/cmocka.hpp"
+#include "support/contact.h"
 
 extern "C" rc_status rc_builtin_linked(const rc_host* host, const rc_plugin** out);
 
@@ -35,11 +37,12 @@ class Scratch {
 class Registry {
  public:
   explicit Registry(const std::string& plugin_path, std::uint32_t flags = RC_CONTEXT_NO_ENVIRONMENT);
-  ~Registry();
-  Registry(const Registry&) = delete;
-  Registry& operator=(const Registry&) = delete;
 
-  rc_context* get() const { return context_; }
+  rc_context* get() const { return context_.get(); }
+  // Registers a plugin of one component, which must outlive the context.
+  rc_status add(const rc_backend& backend) const;
+  rc_status add(const rc_solver& solver) const;
+  rc_status add(const rc_kernel& kernel) const;
   // Creates a contact for a small grid with this backend; the message is rc_last_error().
   rc_status names(const std::string& backend) const;
   // Solves the small grid and returns the load, 0 if it is not certified.
@@ -47,19 +50,55 @@ class Registry {
               std::int32_t control = RC_CONTROL_APPROACH) const;
   std::string origin(const std::string& backend) const;  // "" if it is not listed
   bool lists(const std::string& backend) const { return !origin(backend).empty(); }
-  const std::string& log() const { return log_; }
+  const std::string& log() const { return *log_; }
   const rc_result& result() const { return result_; }
 
  private:
-  rc_context* context_ = nullptr;
-  std::string log_;
+  std::unique_ptr<std::string> log_ = std::make_unique<std::string>();
+  pairs::Context context_;
   mutable rc_result result_{};
 };
+
+// A contact of a registry's components: made, if it can be, and pressed by one step.
+class Pressed {
+ public:
+  Pressed(const Registry& registry, const pairs::Problem& problem, const pairs::Settings& settings = {});
+
+  void again();
+  std::string pair() const { return std::string(result.solver) + " on " + result.backend; }
+  std::string explanation() const;
+  bool untouched() const { return result.points == 0 && p == pairs::Field(p.size(), -7); }
+
+  rc_status status = RC_OK;
+  rc_result result = RC_RESULT_INIT;
+  pairs::Field p, gap;
+
+ private:
+  pairs::Problem problem_;
+  std::unique_ptr<rc_contact, pairs::DestroyContact> contact_;
+};
+
+// The plugin that is linked into this program.
+const rc_plugin& linked();
+// A test's solver or kernel: its name, and nothing but what every component has.
+template <class Component> Component component(const char* name) {
+  Component made{};
+  made.struct_size = sizeof made;
+  made.name = name;
+  made.summary = "a test's";
+  made.license = "BSD-3-Clause";
+  return made;
+}
+// Has another solver solve all.
+rc_status inner_solve(const rc_problem* problem, const char* solver, double* p);
 
 void assert_message_has(const std::string& part);
 void assert_has(const std::string& text, const std::string& part);
 
-extern const std::vector<CMUnitTest> good_tests, refused_tests, place_tests, registration_tests, choice_tests, kernel_tests,
-    promise_tests, many_liar_tests;
+std::vector<pairs::Test> good_tests(), refused_tests(), place_tests(), registration_tests(), choice_tests(), kernel_tests(),
+    promise_tests(), many_liar_tests();
+
+#define TEST(name) \
+  { #name, name }
 
 }  // namespace plugins

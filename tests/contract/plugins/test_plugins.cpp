@@ -1,10 +1,11 @@
 // Plugins: those that must work, those that must be refused, and where they may lie.
 #include "scratch.h"
 
-int main() {
-  std::vector<CMUnitTest> all;
-  for (const auto* part : {&plugins::good_tests, &plugins::refused_tests, &plugins::place_tests, &plugins::registration_tests,
-                           &plugins::choice_tests, &plugins::kernel_tests, &plugins::promise_tests, &plugins::many_liar_tests})
-    all.insert(all.end(), part->begin(), part->end());
-  return _cmocka_run_group_tests("plugins", all.data(), all.size(), nullptr, nullptr);
+int main(int argc, char** argv) {
+  using namespace plugins;
+  std::vector<pairs::Test> all;
+  for (const auto part :
+       {good_tests, refused_tests, place_tests, registration_tests, choice_tests, kernel_tests, promise_tests, many_liar_tests})
+    for (pairs::Test& test : part()) all.push_back(std::move(test));
+  return pairs::run_group("plugins", all, argc, argv);
 }
