@@ -30,7 +30,9 @@ Columns::Columns(std::size_t steps)
       status(steps, -7) {}
 
 void Columns::leave_out(Random& random) {
-  for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] = random.chance(0.5);
+  const bool alone = random.chance(0.5);
+  const auto only = static_cast<std::size_t>(random.below(static_cast<std::int64_t>(wanted.size())));
+  for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] = alone ? i == only : random.chance(0.5);
   // With its interval a stiffness is computed to more digits.
   if (wanted[stiffness] && !wanted[stiffness_upper]) wanted[stiffness_lower] = true;
 }
@@ -45,17 +47,17 @@ pairs::Settings Columns::options(const Scene& scene) const {
   return {{"stiffness", std::max(least, given("stiffness"))}, {"bounds", bounds ? "1" : given("bounds")}};
 }
 
-rc_columns Columns::request() {
+rc_columns Columns::request(std::size_t first) {
   rc_columns columns{};
   rc_array* const all[] = {&columns.load,       &columns.approach,   &columns.contact_area,    &columns.mean_gap,
                            &columns.energy,     &columns.stiffness,  &columns.load_lower,      &columns.load_upper,
                            &columns.area_lower, &columns.area_upper, &columns.stiffness_lower, &columns.stiffness_upper,
                            &columns.certificate};
   for (std::size_t i = 0; i < reals.size(); ++i)
-    if (wanted[i]) *all[i] = RC_OUT(reals[i].data());
-  columns.iterations = RC_OUT(iterations.data());
-  columns.products = RC_OUT(products.data());
-  columns.status = RC_OUT(status.data());
+    if (wanted[i]) *all[i] = RC_OUT(reals[i].data() + first);
+  columns.iterations = RC_OUT(iterations.data() + first);
+  columns.products = RC_OUT(products.data() + first);
+  columns.status = RC_OUT(status.data() + first);
   return columns;
 }
 
@@ -89,15 +91,32 @@ void Columns::need_same(const Columns& all, std::size_t first, const std::string
   }
 }
 
-std::int32_t keep_pressures(std::int64_t, const rc_result* result, void* user) {
+namespace {
+
+// Keeps what it sees, and asks for the points in contact.
+std::int32_t keep(std::int64_t step, const rc_result* result, void* user) {
   Pressures& kept = *static_cast<Pressures*>(user);
-  const double* const p = static_cast<const double*>(result->p.data);
+  const double *const p = static_cast<const double*>(result->p.data), *const gap = static_cast<const double*>(result->gap.data);
   kept.steps.emplace_back(p, p + kept.points);
-  return 0;
+  kept.gaps.emplace_back(gap, gap + kept.points);
+  kept.results.push_back(*result);
+  std::vector<std::int64_t> index(kept.points);
+  Field pressure(kept.points);
+  std::int64_t n = -1;
+  const auto room = static_cast<std::int64_t>(kept.points);
+  if (rc_contact_points(kept.contact, room, RC_OUT(index.data()), RC_OUT(pressure.data()), &n) != RC_OK) n = 0;
+  for (std::int64_t k = 0; k < n; ++k)
+    if (!(pressure[static_cast<std::size_t>(k)] > 0) ||
+        p[index[static_cast<std::size_t>(k)]] != pressure[static_cast<std::size_t>(k)])
+      n = 0;
+  kept.results.back().points = n;
+  return kept.end > 0 && step + 1 == static_cast<std::int64_t>(kept.end);
 }
 
+}  // namespace
+
 rc_status follow(const Case& c, rc_contact* contact, const Field& targets, const Surface& surface, Columns& columns,
-                 Pressures& pressures) {
+                 Pressures& pressures, std::size_t cut) {
   rc_history history = RC_HISTORY_INIT;
   history.control = c.scene().control;
   history.warm_start = c.scene().steps.front().warm;
@@ -105,9 +124,21 @@ rc_status follow(const Case& c, rc_contact* contact, const Field& targets, const
   history.targets = RC_IN(targets.data());
   history.undeformed_gap = RC_IN(surface.gap.data());
   history.mask = RC_IN(surface.mask.empty() ? nullptr : surface.mask.data());
-  history.fn = keep_pressures;
+  history.fn = keep;
   history.user = &pressures;
   history.columns = columns.request();
+  pressures.contact = contact;
+  pressures.end = cut;
+  const rc_status status = rc_contact_solve_history(contact, &history);
+  if (cut == 0) return status;
+  need(status == RC_STOP_CANCELLED && history.completed == static_cast<std::int64_t>(cut), "fn does not end the history");
+  need(std::ranges::all_of(columns.status.begin() + history.completed, columns.status.end(), [](rc_status s) { return s == -7; }),
+       "a history that fn ends has written what comes after");
+  pressures.end = 0;
+  history.n -= history.completed;
+  history.targets = RC_IN(targets.data() + cut);
+  history.undeformed_gap = history.mask = {};
+  history.columns = columns.request(cut);
   return rc_contact_solve_history(contact, &history);
 }
 

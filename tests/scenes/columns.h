@@ -8,14 +8,15 @@
 namespace scenes {
 
 struct Columns {
+  static constexpr std::size_t mean_gap = 3;  // in `reals`
   explicit Columns(std::size_t steps);
 
   /** Leaves out some of the columns. The stiffness is asked for with its interval, if at all. */
   void leave_out(Random& random);
   /** Options of a single step that computes the same columns: the factor of a stiffness may serve the next step. */
   pairs::Settings options(const Scene& scene) const;
-  /** Points a request's columns at these arrays, those that are wanted. */
-  rc_columns request();
+  /** Points a request's columns at these arrays from step `first` on, those that are wanted. */
+  rc_columns request(std::size_t first = 0);
   /** The same numbers from an answer of rc_contact_solve. */
   void take(std::size_t k, const StepAnswer& answer);
   /** Fails unless steps first, first+1, ... of `all` have the same bits as these, where they are wanted. */
@@ -27,15 +28,17 @@ struct Columns {
   std::vector<rc_status> status;
 };
 
-/** The pressures of every step, in order. */
+/** What a history's fn sees, in order. */
 struct Pressures {
   std::size_t points;
-  std::vector<Field> steps;
+  std::vector<Field> steps, gaps;
+  std::vector<rc_result> results;
+  rc_contact* contact = nullptr;
+  std::size_t end = 0;  // fn ends the history after so many steps
 };
-std::int32_t keep_pressures(std::int64_t step, const rc_result* result, void* pressures);
 
-/** By rc_contact_solve_history, with all columns. */
+/** By rc_contact_solve_history, with all columns. cut: fn ends it after so many steps, and another call goes on there. */
 rc_status follow(const Case& c, rc_contact* contact, const Field& targets, const Surface& surface, Columns& columns,
-                 Pressures& pressures);
+                 Pressures& pressures, std::size_t cut = 0);
 
 }  // namespace scenes

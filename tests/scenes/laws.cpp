@@ -88,6 +88,7 @@ class AsLaw final : public Property {
     }
     draw_curve(made, random);
     draw_joints(made);
+    if (scene.halfspace() && !scene.hard()) slip(made);
     reload(made);
     return truths_.empty() ? "no pressure in its range" : "";
   }
@@ -98,6 +99,13 @@ class AsLaw final : public Property {
     need(info_.width <= tolerance_ || status_ != RC_OK, "the law is wider than asked for");
     for (std::size_t k = 0; k < truths_.size(); ++k) judge(truths_[k], said_[k], c);
     judge_curve();
+    need(!c.scene().hard() || highest_ <= c.scene().system.hardness, "a lower bound beyond the hardness");
+    for (const Slip& each : slips_) {
+      const LawTruth &high = truths_[each.high], &low = truths_[each.low];
+      const Real shear = mu * (high.p - low.p), slack = 1e-8L * mu * high.p * (1 + high.error) + mu * low.error * low.p;
+      need(each.lower <= shear + slack && shear - slack <= each.upper,
+           "the shear " + number(shear) + " is not in " + number(each.lower) + " .. " + number(each.upper));
+    }
     for (const Joint& joint : joints_) judge_joint(joint, c);
     for (std::size_t k = 0; k < loaded_.size(); ++k) {
       const auto same = [](double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b)); };
@@ -119,7 +127,11 @@ class AsLaw final : public Property {
     if (!law_) return false;
     const auto k = static_cast<std::size_t>(random.below(static_cast<std::int64_t>(truths_.size())));
     rc_law_point& said = said_[k];
-    switch (random.below(6)) {
+    switch (random.below(7)) {
+      case 6:
+        if (slips_.empty()) return false;
+        slips_.back().upper = static_cast<double>(mu * (truths_[slips_.back().high].p - truths_[slips_.back().low].p) * 0.999L);
+        return slips_.back().upper > 0;
       case 5:
         return std::ranges::any_of(joints_, [&](Joint& joint) {  // the first that has no kink
           joint.right *= 1.01;
@@ -322,6 +334,27 @@ class AsLaw final : public Property {
          "the slope jumps at " + number(joint.x) + " from " + number(joint.left) + " to " + number(joint.right));
   }
 
+  // Slip at the overclosure of each truth, until what is left of the shear is that of a smaller one.
+  void slip(const rc_law* law) {
+    for (std::size_t i = 0; i < truths_.size(); ++i)
+      for (std::size_t j = 0; j < truths_.size(); ++j) {
+        if (!(truths_[j].x < truths_[i].x)) continue;
+        rc_law_slip_state state = RC_LAW_SLIP_STATE_INIT;
+        state.mu = mu, state.nu = 0.3;
+        const double none[2] = {},
+                     slip[2] = {mu * (2 - 0.3) / (2 - 2 * 0.3) * static_cast<double>(truths_[i].x - truths_[j].x), 0};
+        double lower[2], upper[2];
+        for (const double* each : {none, slip})
+          pairs::check(rc_law_slip(law, &state, static_cast<double>(truths_[i].x), each, &state) >= 0, rc_last_error());
+        if (rc_law_slip_bounds(law, &state, lower, upper) != RC_OK) continue;
+        const double rounding = 1e-8 * mu * state.p;
+        need(lower[0] <= state.shear[0] + rounding && state.shear[0] <= upper[0] + rounding && lower[1] == 0 && upper[1] == 0,
+             "the law's own shear " + number(state.shear[0]) + ", " + number(state.shear[1]) + " is not in " + number(lower[0]) +
+                 " .. " + number(upper[0]));
+        slips_.push_back({i, j, lower[0], upper[0]});
+      }
+  }
+
   void reload(const rc_law* law) {
     std::random_device random;
     const auto path =
@@ -334,6 +367,13 @@ class AsLaw final : public Property {
     const LawHandle loaded(made);
     pairs::check(status == status_ && made, std::string("rc_law_load: ") + rc_last_error());
     for (const rc_law_point& said : said_) loaded_.push_back(evaluated(made, said.x));
+    rc_law_info again = RC_LAW_INFO_INIT;
+    pairs::check(rc_law_describe(made, &again) == RC_OK && again.seconds == 0, "a file has no seconds");
+    again.seconds = info_.seconds;
+    pairs::check(std::memcmp(&again, &info_, sizeof again) == 0, "the loaded law describes itself otherwise");
+    rc_law_point beyond = RC_LAW_POINT_INIT;
+    pairs::check(rc_law_evaluate(law, 1e6 * info_.x_upper, &beyond) >= 0, rc_last_error());
+    highest_ = beyond.p_lower;
   }
 
   LawHandle law_;
@@ -341,7 +381,14 @@ class AsLaw final : public Property {
   rc_status status_ = RC_ERR_INTERNAL;
   std::string message_;
   double lowest_ = 0, mean_gap_ = 0, tolerance_ = 0;
+  double highest_ = 0;  // the lower bound of p far beyond the last node
   bool mean_ = false;
+  static constexpr double mu = 0.4;
+  struct Slip {
+    std::size_t high, low;
+    double lower, upper;
+  };
+  std::vector<Slip> slips_;
   struct CurvePoint {
     double x = 0, p = 0, slope = 0, back = 0, p_back = 0, p_lower = 0, p_upper = 0;
   };

@@ -62,22 +62,34 @@ class AsHistory final : public Property {
   std::string ask(const Case& c) override {
     if (!one_history(c.scene())) return "no history";
     if (!all_certified(c)) return "not certified";
-    by_steps_ = by_history_ = Columns(c.scene().steps.size());
+    const std::size_t n = c.scene().steps.size();
+    by_steps_ = by_history_ = Columns(n);
     const Handle contact = c.open();
     kept_.points = c.scene().points();
     Random random(c.scene().seed, 550);
     if (random.chance(0.5)) by_history_.leave_out(random);
     const Handle steps = c.open(by_history_.options(c.scene()));
-    const auto answers = c.solve_all(steps.get());
-    for (std::size_t k = 0; k < answers.size(); ++k) by_steps_.take(k, answers[k]);
-    p_by_steps_ = pressures_of(answers);
-    status_ = follow(c, contact.get(), targets_of(c.scene(), 0), c.scene().surfaces.front(), by_history_, kept_);
+    answers_ = c.solve_all(steps.get());
+    for (std::size_t k = 0; k < answers_.size(); ++k) by_steps_.take(k, answers_[k]);
+    rc_history none = RC_HISTORY_INIT;
+    none.control = c.scene().control;
+    need(rc_contact_solve_history(contact.get(), &none) == RC_OK, "a history of no steps");
+    const auto cut = static_cast<std::size_t>(random.below(static_cast<std::int64_t>(n)));
+    status_ = follow(c, contact.get(), targets_of(c.scene(), 0), c.scene().surfaces.front(), by_history_, kept_, cut);
     return "";
   }
   Verdict judge(const Case&) const override {
     need(status_ == RC_OK, std::string("the history ends with ") + rc_status_name(status_));
     by_steps_.need_same(by_history_, 0, "history");
-    need_same_pressures(p_by_steps_, kept_.steps, "history");
+    need_same_pressures(pressures_of(answers_), kept_.steps, "history");
+    for (std::size_t k = 0; k < answers_.size(); ++k) {
+      const rc_result &seen = kept_.results[k], &wanted = answers_[k].result;
+      pairs::check_same(kept_.gaps[k], answers_[k].gap, "the gap that fn sees in step " + std::to_string(k));
+      need(seen.load == wanted.load && seen.approach == wanted.approach && seen.contacts == wanted.contacts &&
+               seen.status == answers_[k].status,
+           "fn sees another result of step " + std::to_string(k));
+      need(seen.points == wanted.contacts, "fn gets other points in contact of step " + std::to_string(k));
+    }
     return Verdict::held;
   }
   bool spoil(const Case&, Random& random) override {
@@ -88,7 +100,7 @@ class AsHistory final : public Property {
  private:
   Columns by_steps_{0}, by_history_{0};
   Pressures kept_{};
-  std::vector<Field> p_by_steps_;
+  std::vector<StepAnswer> answers_;
   rc_status status_ = RC_ERR_INTERNAL;
 };
 
@@ -100,6 +112,10 @@ class AsBatch final : public Property {
     if (!all_certified(c)) return "not certified";
     const std::size_t n = scene.points(), steps = scene.steps.size();
     const bool masks = std::ranges::any_of(scene.surfaces, [](const Surface& s) { return !s.mask.empty(); });
+    all_ = Columns(contacts * steps);
+    Random random(scene.seed, 551);
+    if (random.chance(0.3)) all_.leave_out(random);
+    all_.wanted[Columns::mean_gap] = true;  // so that the gap is computed at all points, as in a step that wants it
     Field gaps, targets;
     std::vector<std::uint8_t> mask;
     std::vector<Surface> surfaces;
@@ -112,13 +128,17 @@ class AsBatch final : public Property {
       const Field own = targets_of(scene, i);
       targets.insert(targets.end(), own.begin(), own.end());
       single_.emplace_back(steps);
-      Pressures kept{n, {}};
-      const Handle contact = c.open();
-      const rc_status status = follow(c, contact.get(), own, surface, single_.back(), kept);
-      if (status != RC_OK) return "the steps in another order are not certified";
-      p_single_.push_back(kept.steps.back());
+      const Handle contact = c.open(all_.options(scene));
+      StepAnswer answer;
+      for (std::size_t k = 0; k < steps; ++k) {
+        rc_step step = c.step({own[k], i % scene.surfaces.size(), scene.steps.front().warm, {}});
+        if (masks) step.mask = RC_IN(surface.mask.data());
+        answer = c.solve(contact.get(), step);
+        if (answer.status != RC_OK) return "the steps in another order are not certified";
+        single_.back().take(k, answer);
+      }
+      p_single_.push_back(answer.p);
     }
-    all_ = Columns(contacts * steps);
     Field p(contacts * n);
     rc_batch batch = RC_BATCH_INIT;
     batch.control = scene.control;

@@ -1,55 +1,138 @@
-// Bodies that creep. Each step is certified by matrices and a recursion of this test's own.
+// Bodies that creep: closed forms, steps against elastic bodies, what leaves nothing. Other properties of their steps, histories,
+// batches and restarts are those of scenes.
+#include <roughcontact/history.h>
+
+#include <algorithm>
+#include <cmath>
 #include <functional>
+#include <limits>
+#include <numbers>
 #include <string>
 #include <utility>
+#include <vector>
 
-#include "creep.h"
+#include "support/surfaces.h"
 
 namespace pairs {
 
 namespace {
 
-void steps_are_certified(std::int32_t boundary, std::int32_t control, const Pair& pair, bool masked) {
+constexpr double pi = std::numbers::pi;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+struct Table {
+  Field ratio, time;
+  std::int32_t by = RC_CREEP_COMPLIANCES;
+
+  void give(rc_system& system) const {
+    system.creep_by = by;
+    system.creep_terms = static_cast<std::int32_t>(ratio.size());
+    system.creep_ratio = RC_IN(ratio.data());
+    system.creep_time = RC_IN(time.data());
+  }
+  double compliance(double t) const {
+    double sum = 1;
+    for (std::size_t k = 0; k < ratio.size(); ++k) sum += ratio[k] * (1 - std::exp(-t / time[k]));
+    return sum;
+  }
+};
+
+const Table one{{3}, {1}};
+const Table two{{0.7, 2}, {0.3, 5}};
+
+struct Step {
+  double time, target;
+};
+
+rc_step at(const Problem& problem, const Step& step) {
+  rc_step asked = problem.step();
+  asked.target = step.target;
+  asked.time = step.time;
+  return asked;
+}
+
+Problem creeping(Problem problem, const Table& table) {
+  table.give(problem.system);
+  return problem;
+}
+
+// Times of all sizes, pauses and jumps: an approach or load that rises, falls and rests.
+std::vector<Step> path(double target) {
+  return {{1, 0.6 * target}, {1, target},         {1.001, target}, {1.3, target},       {2, 0.8 * target},
+          {2, 0.5 * target}, {2.5, 0.7 * target}, {9, target},     {500, 1.1 * target}, {500, 0.3 * target}};
+}
+
+Field creep_of(const Contact& contact, std::size_t values, double* time = nullptr) {
+  Field said(values, -7);
+  check(rc_contact_creep(contact.handle(), RC_OUT(said.data()), time) == RC_OK, rc_last_error());
+  return said;
+}
+
+rc_history history_of(const Problem& problem, const Field& targets, const Field& times, Field& loads) {
+  rc_history history = RC_HISTORY_INIT;
+  history.control = problem.control;
+  history.n = static_cast<std::int64_t>(targets.size());
+  history.targets = RC_IN(targets.data());
+  history.times = RC_IN(times.data());
+  history.undeformed_gap = RC_IN(problem.gap.data());
+  history.columns.load = RC_OUT(loads.data());
+  return history;
+}
+
+// The elastic problem that a step is, by the memory that the steps before it have left: a softer body, and another gap.
+Problem softer(const Problem& elastic, const Table& table, const Contact& contact, const Step& step) {
+  Problem now = elastic;
+  now.target = step.target;
+  const std::size_t n = elastic.points();
+  double before = nan, compliance = 1;
+  const Field left = creep_of(contact, (table.ratio.size() + 1) * n, &before);
+  for (std::size_t k = 0; k < table.ratio.size(); ++k) {
+    const double x = std::isnan(before) ? 0 : (step.time - before) / table.time[k], gone = -std::expm1(-x);
+    const double share = x == 0 ? 0 : 1 - gone / x;  // of what the step changes
+    compliance += table.ratio[k] * share;
+    for (std::size_t i = 0; i < n; ++i)
+      now.gap[i] += table.ratio[k] * ((1 - gone) * left[(k + 1) * n + i] + (gone - share) * left[i]);
+  }
+  now.system.modulus /= compliance;
+  Field depth(n);
+  check(rc_contact_indentation(contact.handle(), RC_OUT(depth.data())) == RC_OK, rc_last_error());
+  for (std::size_t i = 0; i < n; ++i) now.gap[i] += depth[i];
+  return now;
+}
+
+// The memory itself is a property of scenes.
+void a_step_is_that_of_a_softer_body(std::int32_t boundary, std::int32_t control, double hardness) {
   Problem problem = rough_problem(18, 14, boundary, 0.5, 0.75);
-  if (masked) {
+  if (boundary != RC_BOUNDARY_PERIODIC_X) {
     problem.mask.assign(problem.points(), 1);
-    for (const std::size_t i : {0, 31, 200}) {
-      problem.mask[i] = 0;
-      problem.gap[i] = 3;  // the recursion reads it
-    }
+    for (const std::size_t i : {0, 31, 200}) problem.mask[i] = 0;
   }
   if (control == RC_CONTROL_LOAD) problem = at_load(problem, solved(problem, automatic).result.load);
+  if (hardness > 0) problem.system.hardness = hardness * largest(solved(problem, automatic).p);
+  std::int64_t capped = 0;
   for (const Table& table : {one, two}) {
-    Recursion own(problem, table);
     const Problem asked = creeping(problem, table);
-    Settings settings = sharp;
-    settings.emplace_back(RC_OPT_STIFFNESS, "1");
-    const Contact contact(asked, pair, settings);
+    const Contact contact(asked, {"polonsky-keer", "dense"}, {{RC_OPT_TOL, "1e-11"}, {RC_OPT_STIFFNESS, "1"}});
     for (const Step& step : path(problem.target)) {
-      const Answer answer = contact.solve(at(asked, step));
-      check_status(answer, RC_OK);
-      check_against_naive(own.problem(step), answer);
-      const Answer elastic = solve(own.problem(step), {"nnls", "dense"}, {{RC_OPT_STIFFNESS, "1"}});
-      check_near(answer.p, elastic.p, 1e-8, "p");
-      check_near(answer.result.approach, elastic.result.approach, 1e-8 * std::abs(elastic.result.approach), "approach");
-      check_near(answer.result.mean_gap, elastic.result.mean_gap, 1e-8 * std::abs(elastic.result.mean_gap), "mean gap");
-      check_near(answer.result.stiffness, elastic.result.stiffness, 1e-6 * elastic.result.stiffness, "stiffness");
-      check(answer.result.homogeneous == 0, "a conductance does not follow");
-      check(answer.result.load_lower <= elastic.result.load * (1 + 1e-12) &&
-                elastic.result.load * (1 - 1e-12) <= answer.result.load_upper,
+      const Problem now = softer(problem, table, contact, step);
+      const rc_result r = contact.solve(at(asked, step)).result,
+                      elastic = solved(now, {"nnls", "dense"}, {{RC_OPT_STIFFNESS, "1"}}).result;
+      const auto near = [](double value, double expected, const char* what) {
+        check_near(value, expected, 1e-7 * std::abs(expected), what);
+      };
+      check_equal(r.status, RC_OK, rc_last_error());
+      near(r.load, elastic.load, "load");
+      near(r.approach, elastic.approach, "approach");
+      near(r.mean_gap, elastic.mean_gap, "mean gap");
+      near(r.stiffness, elastic.stiffness, "stiffness");
+      check_near(r.plastic_volume, elastic.plastic_volume, 1e-7 * problem.cell_area(), "volume");
+      check(r.homogeneous == 0, "a conductance does not follow");
+      check(r.load_lower <= elastic.load * (1 + 1e-12) && elastic.load * (1 - 1e-12) <= r.load_upper,
             "the load is in its interval");
-      own.end(step, answer.p);
-      double time = 0;
-      const Field said = creep_of(contact, 3 * problem.points(), &time);
-      check(time == step.time, "the time of the memory");
-      const auto n = static_cast<std::ptrdiff_t>(problem.points());
-      check_near(Field(said.begin(), said.begin() + n), own.elastic_deflection(), 1e-10, "H p");
-      for (std::size_t k = 0; k < table.ratio.size(); ++k) {
-        const auto first = said.begin() + static_cast<std::ptrdiff_t>(k + 1) * n;
-        check_near(Field(first, first + n), own.delayed()[k], 1e-10, "a delayed deflection");
-      }
+      capped += r.capped;
     }
   }
+  check((capped > 10) == (hardness > 0), "some points yield");
 }
 
 // A ball of radius 8 on cells of width h, and the cube of the contact's radius for a modulus and load of 1.
@@ -179,127 +262,6 @@ void unloading_is_tings() {
   }
 }
 
-void a_restart_gives_the_same_bits(std::int32_t control, double hardness) {
-  Problem problem = rough_problem(40, 36, RC_BOUNDARY_FREE);
-  if (control == RC_CONTROL_LOAD) problem = at_load(problem, solved(problem, automatic).result.load);
-  if (hardness > 0) problem.system.hardness = hardness * largest(solved(problem, automatic).p);
-  const Settings resumable = {{RC_OPT_TOL, "1e-9"}, {RC_OPT_RESUMABLE, "1"}};
-  const Problem asked = creeping(problem, two);
-  for (const Pair& pair : {automatic, Pair{"haar-cg", "fft"}}) {
-    const Contact whole(asked, pair, resumable), again(asked, pair, resumable);
-    const std::vector<Step> steps = path(problem.target);
-    Answer last;
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-      rc_step step = at(asked, steps[i]);
-      if (i > 0) step.undeformed_gap = {};
-      const Answer answer = whole.solve(step);
-      check_status(answer, RC_OK);
-      if (i >= 4) {
-        const Answer second = again.solve(step);
-        check_status(second, RC_OK);
-        check_same(second.p, answer.p, "p");
-        check_same(second.gap, answer.gap, "gap");
-        check(second.result.approach == answer.result.approach && second.result.energy == answer.result.energy, "numbers");
-      }
-      if (i == 3) {
-        double time = 0;
-        const Field creep = creep_of(whole, 3 * problem.points(), &time);
-        Field indentation(problem.points());
-        check(rc_contact_indentation(whole.handle(), RC_OUT(indentation.data())) == RC_OK, rc_last_error());
-        check((largest(indentation) > 0) == (hardness > 0), "a hardness leaves an indentation");
-        rc_state state = state_of(problem, answer, creep, time);
-        if (hardness > 0) state.indentation = RC_IN(indentation.data());
-        state.p_before = RC_IN(last.p.data());
-        state.approach_before = last.result.approach;
-        state.load_before = last.result.load;
-        check(rc_contact_restore(again.handle(), &state) == RC_OK, rc_last_error());
-        check_same(creep_of(again, 3 * problem.points()), creep, "the memory");
-      }
-      last = answer;
-    }
-  }
-}
-
-// The overlap at the hardness is plastic, in lengths of the step, and the step after it sees it beside the creep.
-void hardness_and_creep_add_up() {
-  Problem problem = rough_problem(18, 14, RC_BOUNDARY_FREE, 0.5, 0.75);
-  problem.target *= 1.4;
-  problem.system.hardness = 0.3 * largest(solved(problem, automatic).p);
-  Recursion own(problem, two);
-  const Problem asked = creeping(problem, two);
-  const Contact contact(asked, {"polonsky-keer", "dense"}, sharp);
-  Field indentation(problem.points(), 0.0);
-  std::int64_t capped = 0;
-  for (const Step& step : path(problem.target)) {
-    const Answer answer = contact.solve(at(asked, step));
-    check_status(answer, RC_OK);
-    Problem elastic = own.problem(step);
-    for (std::size_t i = 0; i < indentation.size(); ++i) elastic.gap[i] += indentation[i];
-    const Answer expected = solve(elastic, {"polonsky-keer", "dense"}, sharp);
-    check_near(answer.p, expected.p, 1e-7, "p");
-    check_near(answer.gap, expected.gap, 1e-7, "gap");
-    check_near(answer.result.plastic_volume, expected.result.plastic_volume, 1e-7 * problem.cell_area(), "volume");
-    for (std::size_t i = 0; i < indentation.size(); ++i)
-      if (answer.p[i] == problem.system.hardness) indentation[i] += std::max(0.0, -answer.gap[i]);
-    Field said(problem.points());
-    check(rc_contact_indentation(contact.handle(), RC_OUT(said.data())) == RC_OK, rc_last_error());
-    check_near(said, indentation, 1e-13, "indentation");
-    capped += answer.result.capped;
-    own.end(step, answer.p);
-  }
-  check(capped > 10, "some points yield");
-}
-
-// Histories and batches are the same steps, whatever the control.
-void histories_and_batches_are_the_same_steps(std::int32_t control) {
-  const Problem elastic = rough_problem(24, 20, RC_BOUNDARY_PERIODIC);
-  Problem problem = creeping(elastic, two);
-  const Answer first = solved(elastic, automatic);
-  problem.control = control;
-  problem.target = control == RC_CONTROL_APPROACH ? elastic.target
-                   : control == RC_CONTROL_LOAD   ? first.result.load
-                   : control == RC_CONTROL_AREA   ? 0.5 * first.result.contact_area
-                                                  : first.result.mean_pressure;
-  Field targets, times;
-  for (const Step& step : path(problem.target)) {
-    targets.push_back(step.target);
-    times.push_back(step.time);
-  }
-  const Contact alone(problem, automatic), together(problem, automatic);
-  Field loads(targets.size()), expected;
-  for (std::size_t i = 0; i < targets.size(); ++i) {
-    const Answer answer = alone.solve(at(problem, {times[i], targets[i]}));
-    check_status(answer, RC_OK);
-    expected.push_back(answer.result.load);
-    if (control == RC_CONTROL_AREA)
-      check_near(answer.result.contact_area, targets[i], 2e-3 * targets[i] + problem.cell_area(), "area");
-  }
-  rc_history history = history_of(problem, targets, times, loads);
-  check(rc_contact_solve_history(together.handle(), &history) == RC_OK, rc_last_error());
-  check_same(loads, expected, "loads of the history");
-  const std::size_t values = 3 * problem.points();
-  check_same(creep_of(together, values), creep_of(alone, values), "memory of the history");
-
-  const std::size_t contacts = 3;
-  Field gaps, batched(contacts * targets.size());
-  for (std::size_t i = 0; i < contacts; ++i) gaps.insert(gaps.end(), problem.gap.begin(), problem.gap.end());
-  rc_batch batch = RC_BATCH_INIT;
-  batch.control = control;
-  batch.n = contacts;
-  batch.steps = history.n;
-  batch.targets = RC_IN(targets.data());
-  batch.times = RC_IN(times.data());
-  batch.target_stride = RC_BATCH_SHARED;
-  batch.undeformed_gap = RC_IN(gaps.data());
-  batch.columns.load = RC_OUT(batched.data());
-  const Options options = make_options(automatic, "auto");
-  check(rc_batch_solve(&problem.system, options.get(), &batch) == RC_OK, rc_last_error());
-  for (std::size_t i = 0; i < contacts; ++i)
-    check_same(Field(batched.begin() + static_cast<std::ptrdiff_t>(i * targets.size()),
-                     batched.begin() + static_cast<std::ptrdiff_t>((i + 1) * targets.size())),
-               loads, "loads of a batch");
-}
-
 // A virgin history leaves what was before it; a step that is only certified too, and a failed one.
 void what_leaves_nothing() {
   const Problem problem = creeping(rough_problem(18, 14), two);
@@ -335,32 +297,6 @@ void what_leaves_nothing() {
   check_same(contact.solve(at(problem, {0, problem.target})).p, solve(problem, automatic).p, "at once, after a reset");
 }
 
-// Ratios of 0, and steps at one time, are the elastic contact bit by bit; gaps of floats and masked points are taken.
-void no_creep_changes_nothing() {
-  Problem problem = rough_problem(40, 30, RC_BOUNDARY_PERIODIC);
-  problem.mask.assign(problem.points(), 1);
-  problem.mask[5] = 0;
-  problem.gap[5] = nan;
-  std::vector<float> floats(problem.gap.begin(), problem.gap.end());
-  const Table idle{{0, 0}, {1, 2}};
-  for (const bool zeros : {false, true})
-    for (const bool single : {false, true}) {
-      const Problem asked = creeping(problem, zeros ? idle : two);
-      const Contact creeps(asked, automatic), elastic(problem, automatic);
-      for (const double share : {0.7, 1.0, 0.4}) {
-        rc_step step = at(asked, {zeros ? 5 * share : 3, share * problem.target});
-        if (zeros && share == 0.4) step.time = 6;
-        if (single) step.undeformed_gap = {floats.data(), RC_SINGLE, 0, nullptr};
-        step.warm_start = 0;
-        const Answer a = creeps.solve(step), b = elastic.solve(step);
-        check_status(a, RC_OK);
-        check_same(a.p, b.p, "p");
-        check(a.result.load == b.result.load && a.result.approach == b.result.approach && a.result.energy == b.result.energy,
-              "numbers");
-      }
-    }
-}
-
 // Solutions on coarser grids have the step's lengths.
 void levels_have_the_approach_of_the_step() {
   Problem problem = rough_problem(64, 64, RC_BOUNDARY_FREE);
@@ -382,27 +318,15 @@ std::vector<Test> tests() {
                         {"half_the_time_step_a_quarter_of_the_error", half_the_time_step_a_quarter_of_the_error},
                         {"moduli_are_turned_into_compliances", moduli_are_turned_into_compliances},
                         {"unloading_is_tings", unloading_is_tings},
-                        {"hardness_and_creep_add_up", hardness_and_creep_add_up},
                         {"what_leaves_nothing", what_leaves_nothing},
-                        {"no_creep_changes_nothing", no_creep_changes_nothing},
-                        {"levels_have_the_approach_of_the_step", levels_have_the_approach_of_the_step},
-                        {"bad_tables_are_refused", bad_tables_are_refused},
-                        {"bad_calls_are_refused", bad_calls_are_refused}};
-  const std::vector<std::pair<std::int32_t, std::string>> controls = {
-      {RC_CONTROL_APPROACH, "approach"}, {RC_CONTROL_LOAD, "load"}, {RC_CONTROL_AREA, "area"}, {RC_CONTROL_PRESSURE, "pressure"}};
-  for (const auto& [control, name] : controls) {
-    const std::int32_t asked = control;
-    all.push_back({"histories_and_batches_are_the_same_steps:" + name, [=] { histories_and_batches_are_the_same_steps(asked); }});
-    if (asked == RC_CONTROL_AREA || asked == RC_CONTROL_PRESSURE) continue;
-    for (const double hardness : {0.0, 0.5})
-      all.push_back({"a_restart_gives_the_same_bits:" + name + (hardness > 0 ? ":hardness" : ""),
-                     [=] { a_restart_gives_the_same_bits(asked, hardness); }});
-    for (const auto& [boundary, edges] : std::vector<std::pair<std::int32_t, std::string>>{
-             {RC_BOUNDARY_FREE, "free"}, {RC_BOUNDARY_PERIODIC, "periodic"}, {RC_BOUNDARY_PERIODIC_X, "periodic-x"}})
-      for (const Pair& pair : {Pair{"nnls", "dense"}, Pair{"haar-cg", "fft"}, Pair{"polonsky-keer", "fft"}, automatic})
-        all.push_back({"steps_are_certified:" + edges + ":" + name + ":" + pair.name(),
-                       [=, at = boundary] { steps_are_certified(at, asked, pair, at != RC_BOUNDARY_PERIODIC_X); }});
-  }
+                        {"levels_have_the_approach_of_the_step", levels_have_the_approach_of_the_step}};
+  for (const auto& [boundary, edges] : std::vector<std::pair<std::int32_t, std::string>>{
+           {RC_BOUNDARY_FREE, "free"}, {RC_BOUNDARY_PERIODIC, "periodic"}, {RC_BOUNDARY_PERIODIC_X, "periodic-x"}})
+    for (const std::int32_t control : {RC_CONTROL_APPROACH, RC_CONTROL_LOAD})
+      for (const double hardness : {0.0, 0.5})
+        all.push_back({"a_step_is_that_of_a_softer_body:" + edges + (control == RC_CONTROL_LOAD ? ":load" : ":approach") +
+                           (hardness > 0 ? ":hardness" : ""),
+                       [=, at = boundary] { a_step_is_that_of_a_softer_body(at, control, hardness); }});
   return all;
 }
 

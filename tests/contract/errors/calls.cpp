@@ -289,6 +289,7 @@ Calls calls() {
       {"level_after_step", after_step(level)},
       {"points", [](World& w) { return rc_contact_points(made(w.scene).get(), w.memory.room, {}, {}, &w.memory.n); }},
       {"restore", restore},
+      {"creep", [](World& w) { return rc_contact_creep(made(w.scene).get(), w.memory.to, nullptr); }},
       {"gradient", after_step([](rc_contact* c, Memory& m) { return rc_contact_gradient(c, &m.gradient); })},
       {"tangent", after_step([](rc_contact* c, Memory& m) { return rc_contact_tangent(c, &m.tangent); })},
       {"analyses", analyses},
@@ -330,6 +331,7 @@ Calls calls() {
          return rc_law_evaluate(usual_law(), w.memory.x, &point);
        }},
       {"law_pressure", [](World& w) { return rc_law_pressure(usual_law(), w.memory.x, w.memory.out, nullptr, nullptr); }},
+      {"law_overclosure", [](World& w) { return rc_law_overclosure(usual_law(), w.memory.x, w.memory.out); }},
       {"law_pressures", [](World& w) { return rc_law_pressures(usual_law(), 2, w.memory.from, {}, w.memory.to, {}); }},
       {"law_gap_conductance",
        [](World& w) { return rc_law_gap_conductance(usual_law(), 0.05, w.memory.rho1, w.memory.rho2, w.memory.out); }},
