@@ -18,9 +18,8 @@ struct Watcher {
 
 std::int32_t watch(std::int64_t step, const rc_result* result, void* user) {
   Watcher& watcher = *static_cast<Watcher*>(user);
-  Seen seen{*result, Field(static_cast<double*>(result->p.data), static_cast<double*>(result->p.data) + watcher.points), {}};
-  if (result->gap.data)
-    seen.gap.assign(static_cast<double*>(result->gap.data), static_cast<double*>(result->gap.data) + watcher.points);
+  const double *const p = static_cast<const double*>(result->p.data), *const gap = static_cast<const double*>(result->gap.data);
+  Seen seen{*result, Field(p, p + watcher.points), Field(gap, gap + watcher.points)};
   seen.result.p.data = seen.result.gap.data = nullptr;
   watcher.history.seen.push_back(std::move(seen));
   return watcher.request.ends(step);
@@ -32,11 +31,6 @@ Field slice(const Field& values, std::size_t from, std::size_t count) {
 }
 
 }  // namespace
-
-Settings complete(const Pair& pair, Settings more) {
-  if (pair.solver == "greedy") more.emplace_back("greedy.repair", "1");
-  return more;
-}
 
 History follow(const Contact& contact, const Problem& problem, const Request& request) {
   History history;
@@ -60,7 +54,6 @@ History follow(const Contact& contact, const Problem& problem, const Request& re
   path.columns.certificate = RC_OUT(history.certificate.data());
   path.columns.products = RC_OUT(history.products.data());
   path.fn = watch;
-  path.want_gap = request.want_gap;
   path.user = &watcher;
   path.completed = -1;
   history.status = rc_contact_solve_history(contact.handle(), &path);

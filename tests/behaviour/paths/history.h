@@ -29,15 +29,11 @@ struct Request {
   Field targets;
   bool with_gap = true;        // else as in the step before
   bool with_stiffness = true;  // else the output is null
-  bool want_gap = true;        // whether fn sees the deformed gap
   std::function<bool(std::int64_t)> ends = [](std::int64_t) { return false; };
 };
 
 // In outputs that no step has written.
 inline constexpr double blank = -7;
-
-/** Settings with which every solver solves everything: as published, greedy does not. */
-pairs::Settings complete(const pairs::Pair& pair, pairs::Settings more = {});
 
 History follow(const pairs::Contact& contact, const pairs::Problem& problem, const Request& request);
 /** The same; fails unless every step is certified. */
