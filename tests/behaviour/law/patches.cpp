@@ -1,9 +1,9 @@
 #include "patches.h"
 
-#include <roughcontact/derivatives.h>
-
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <numbers>
 #include <random>
 
@@ -37,16 +37,6 @@ Field self_affine(std::int64_t nx, std::int64_t ny, double hurst, int lowest, un
   const double top = *std::max_element(heights.begin(), heights.end()), scale = 0.1 / std::sqrt(square);
   for (double& height : heights) height = (top - height) * scale;
   return heights;
-}
-
-Field one_wave(std::int64_t nx, std::int64_t ny) {
-  Field gap;
-  for (std::int64_t iy = 0; iy < ny; ++iy)
-    for (std::int64_t ix = 0; ix < nx; ++ix)
-      gap.push_back(0.1 * static_cast<double>(nx) / (2 * std::numbers::pi) *
-                    (1 - std::cos(2 * std::numbers::pi * static_cast<double>(ix) / static_cast<double>(nx)) *
-                             std::cos(2 * std::numbers::pi * static_cast<double>(iy) / static_cast<double>(ny))));
-  return gap;
 }
 
 Patch patch(std::string name, std::int32_t boundary, const char* kernel, std::int64_t nx, std::int64_t ny, Field gap) {
@@ -86,39 +76,19 @@ rc_law_spec Patch::asked() const {
 
 Patch usual_patch(std::int64_t n) { return patch("usual", RC_BOUNDARY_PERIODIC, "auto", n, n, self_affine(n, n, 0.8, 4, 14)); }
 
-std::vector<Patch> patches(std::int64_t n) {
-  constexpr auto open = RC_BOUNDARY_FREE, periodic = RC_BOUNDARY_PERIODIC;
-  std::vector<Patch> all;
-  const auto add = [&](const char* name, std::int32_t boundary, const char* kernel, std::int64_t nx, std::int64_t ny,
-                       Field gap) -> Patch& { return all.emplace_back(patch(name, boundary, kernel, nx, ny, std::move(gap))); };
-  add("free, love", open, "love", n, n, self_affine(n, n, 0.8, 1, 1));
-  add("free, love, hurst 0.3", open, "love", n, n, self_affine(n, n, 0.3, 1, 2));
-  add("free, eq9", open, "eq9", n, n, self_affine(n, n, 0.8, 1, 3));
-  add("free, galerkin", open, "galerkin", n, n, self_affine(n, n, 0.8, 1, 4));
-  add("free, love, hardness, mean gap", open, "love", n, n, self_affine(n, n, 0.8, 4, 5)).problem.system.hardness = 0.03;
-  add("free, love, one wave", open, "love", n, n, one_wave(n, n));
-  add("free, love, as it is", open, "love", n, n, self_affine(n, n, 0.8, 2, 6)).spec.bulk = RC_LAW_BULK_NONE;
-  Patch& given = add("free, love, bulk given", open, "love", n, n, self_affine(n, n, 0.8, 2, 7));
-  given.spec.bulk = RC_LAW_BULK_GIVEN;
-  given.spec.bulk_stiffness = static_cast<double>(n) / 0.86783;
-  add("free, love, 2 to 1", open, "love", 2 * n, n, self_affine(2 * n, n, 0.8, 2, 8));
-  mask_disc(add("free, love, disc", open, "love", n, n, self_affine(n, n, 0.8, 2, 9)));
-  add("periodic, spectral", periodic, "spectral", n, n, self_affine(n, n, 0.8, 1, 10));
-  add("periodic, spectral, hurst 0.3", periodic, "spectral", n, n, self_affine(n, n, 0.3, 1, 11));
-  add("periodic, spectral, roll-off", periodic, "spectral", n, n, self_affine(n, n, 0.8, 4, 12));
-  add("periodic, spectral, one wave", periodic, "spectral", n, n, one_wave(n, n));
-  add("periodic, 2 to 1", periodic, "auto", 2 * n, n, self_affine(2 * n, n, 0.8, 2, 13));
-  mask_disc(add("periodic, spectral, disc", periodic, "spectral", n, n, self_affine(n, n, 0.8, 2, 14)));
-  Patch& full = add("periodic, spectral, nearly full", periodic, "spectral", n, n, self_affine(n, n, 0.8, 2, 15));
-  full.spec.p_lower = 2e-4;
-  full.spec.p_upper = 0.1;
-  Patch& conductive = add("periodic, spectral, conductance", periodic, "spectral", n, n, self_affine(n, n, 0.8, 4, 16));
-  conductive.spec.tolerance_conductance = 0.02;
-  Patch& hard = add("free, love, hardness", open, "love", n, n, self_affine(n, n, 0.8, 2, 17));
-  hard.problem.system.hardness = 0.03;
-  hard.spec.bulk = RC_LAW_BULK_NONE;
-  add("periodic, spectral, hardness", periodic, "spectral", n, n, self_affine(n, n, 0.8, 4, 18)).problem.system.hardness = 0.03;
-  return all;
+Patch patch_named(const std::string& name) {
+  constexpr std::int64_t n = 16;
+  const bool disc = name == "disc", repeats = name == "hardness";
+  Patch made = patch(name, repeats ? RC_BOUNDARY_PERIODIC : RC_BOUNDARY_FREE, repeats ? "spectral" : "love", n, n,
+                     self_affine(n, n, 0.8, disc ? 2 : 4,
+                                 disc      ? 9
+                                 : repeats ? 18
+                                           : 5));
+  if (disc)
+    mask_disc(made);
+  else
+    made.problem.system.hardness = 0.03;
+  return made;
 }
 
 MadeLaw make(const Patch& patch) {
@@ -150,6 +120,11 @@ rc_law_point evaluate(const rc_law* law, double x) {
   return point;
 }
 
+std::string content(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
 const rc_law* usual_law() {
   static const LawHandle law = made(usual_patch(32));
   return law.get();
@@ -165,56 +140,6 @@ std::vector<double> overclosures(const rc_law* law) {
   std::vector<double> all{-1, 0, info.x_lower / 3, info.x_upper, 2 * info.x_upper};
   for (int i = 0; i <= 1000; ++i) all.push_back(info.x_lower * std::pow(info.x_upper / info.x_lower, i / 1000.0));
   return all;
-}
-
-Referee::Referee(const Patch& patch, const rc_law_info& info)
-    : patch_(patch),
-      info_(info),
-      contact_(patch.problem, pairs::automatic, {{"tol", "1e-11"}, {"stiffness", "1"}}),
-      gap_(patch.problem.points()),
-      weights_(patch.problem.points()) {}
-
-double Referee::mean_rate(const rc_result& result) {
-  std::size_t counted = 0;
-  for (std::size_t i = 0; i < weights_.size(); ++i) counted += patch_.problem.included(i);
-  std::vector<std::int64_t> points(weights_.size());
-  Field p(weights_.size());
-  std::int64_t n = 0;
-  pairs::check_equal(
-      rc_contact_points(contact_.handle(), static_cast<std::int64_t>(p.size()), RC_OUT(points.data()), RC_OUT(p.data()), &n),
-      RC_OK, "points");
-  weights_.assign(weights_.size(), 1 / static_cast<double>(counted));
-  for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i)
-    if (result.capped > 0 && p[i] >= patch_.problem.system.hardness) weights_[static_cast<std::size_t>(points[i])] = 0;
-  rc_gradient gradient = RC_GRADIENT_INIT;
-  gradient.dJ_dgap = RC_IN(weights_.data());
-  pairs::check(rc_contact_gradient(contact_.handle(), &gradient) >= 0, rc_last_error());
-  return -gradient.dJ_dtarget;
-}
-
-Truth Referee::at(double p) {
-  pairs::check_equal(rc_contact_reset(contact_.handle()), RC_OK, "reset");
-  pairs::Problem problem = patch_.problem;
-  problem.control = RC_CONTROL_LOAD;
-  problem.target = p * info_.area;
-  rc_step step = problem.step();
-  step.warm_start = 0;
-  rc_result result = RC_RESULT_INIT;
-  result.gap.data = gap_.data();
-  pairs::check_equal(rc_contact_solve(contact_.handle(), &step, &result), RC_OK, std::string("solve ") + rc_last_error());
-  Truth truth{result.approach, result.load / info_.area, result.stiffness / info_.area, -result.energy / info_.area,
-              result.contact_area / info_.area};
-  if (info_.bulk == RC_LAW_BULK_GIVEN) {
-    truth.x -= result.load / info_.bulk_stiffness;
-    truth.slope /= 1 - result.stiffness / info_.bulk_stiffness;
-    truth.energy -= truth.p * result.load / (2 * info_.bulk_stiffness);
-  }
-  if (info_.bulk == RC_LAW_BULK_MEAN) {
-    truth.x = info_.mean_gap - result.mean_gap;
-    truth.slope = 1 / (mean_rate(result) * info_.area);
-    truth.energy = std::nan("");
-  }
-  return truth;
 }
 
 }  // namespace laws

@@ -1,4 +1,4 @@
-// Rough patches, their laws, and what cold certified solves say of them.
+// Rough patches and their laws.
 #pragma once
 
 #include <roughcontact/law.h>
@@ -25,8 +25,8 @@ struct Patch {
   rc_law_spec asked() const;
 };
 
-// Free and periodic, every kernel, masks, grids that are not square, a hardness, nearly full contact.
-std::vector<Patch> patches(std::int64_t n);
+// Of 16 by 16 cells: "disc", free, with a mask; "hardness", periodic; "mean gap", free, with a hardness.
+Patch patch_named(const std::string& name);
 // A periodic patch of n by n cells, within a factor of 500 in pressure.
 Patch usual_patch(std::int64_t n);
 
@@ -41,26 +41,9 @@ LawHandle made(const Patch& patch);  // fails unless the status is >= 0
 rc_law_info describe(const rc_law* law);
 rc_law_point evaluate(const rc_law* law, double x);
 
+std::string content(const std::string& path);                                      // of a file
 const rc_law* usual_law();                                                         // of usual_patch(32)
 void refuses(rc_status status, const std::string& part, const std::string& what);  // ARGUMENT, and the message has the part
 std::vector<double> overclosures(const rc_law* law);                               // of all magnitudes of a law, and beyond it
-
-// The result of a separate solve at a nominal pressure, from the surface as it was, to tol 1e-11.
-struct Truth {
-  double x, p, slope, energy, area;
-};
-class Referee {
- public:
-  explicit Referee(const Patch& patch, const rc_law_info& info);
-  Truth at(double p);
-
- private:
-  double mean_rate(const rc_result& result);
-
-  const Patch& patch_;
-  rc_law_info info_;
-  pairs::Contact contact_;
-  pairs::Field gap_, weights_;
-};
 
 }  // namespace laws

@@ -22,11 +22,6 @@ using pairs::text;
 
 namespace fs = std::filesystem;
 
-std::string content(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {(std::istreambuf_iterator<char>(file)), {}};
-}
-
 void write(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 
 // The last line of a file of a law: FNV-1a, 64 bits.
@@ -52,31 +47,6 @@ class Folder {
  private:
   fs::path path_;
 };
-
-void a_saved_law_has_the_same_bits() {
-  const Folder folder("bits");
-  for (const char* name : {"free, love, disc", "periodic, spectral, hardness"}) {
-    std::vector<Patch> all = patches(16);
-    const Patch& patch = *std::find_if(all.begin(), all.end(), [&](const Patch& each) { return each.name == name; });
-    const LawHandle law = made(patch);
-    const std::string path = folder / "a.law", again = folder / "b.law";
-    rc_law* read = nullptr;
-    check_equal(rc_law_save(law.get(), path.c_str()), RC_OK, rc_last_error());
-    check_equal(rc_law_load(path.c_str(), &read), RC_OK, rc_last_error());
-    const LawHandle loaded(read);
-    check_equal(rc_law_save(read, again.c_str()), RC_OK, rc_last_error());
-    check(content(path) == content(again), "the files differ");
-    for (const double x : overclosures(law.get())) {
-      const rc_law_point a = evaluate(law.get(), x), b = evaluate(read, x);
-      check(std::memcmp(&a, &b, sizeof a) == 0, "other bits at " + text(x));
-    }
-    rc_law_info first = describe(law.get()), second = describe(read);
-    check(second.seconds == 0, "a file has no seconds");
-    first.seconds = 0;
-    check(std::memcmp(&first, &second, sizeof first) == 0, "other infos");
-  }
-  check_equal(static_cast<std::int64_t>(folder.files()), 2, "files left");
-}
 
 // Also by name, and of a file without the line, whose status follows from width and kind.
 void a_saved_law_has_the_status_of_its_making() {
@@ -133,13 +103,6 @@ void damaged_files_are_refused() {
     refuses(load(bad), "damaged", "one digit differs");
   }
   refuses(load(good.substr(0, good.size() / 2)), "damaged", "half a file");
-  refuses(load(""), "empty", "no text");
-  refuses(load("hello"), "does not begin with", "another file");
-  refuses(load("roughcontact-law 2\n"), "version 2", "a newer version");
-  refuses(rc_law_load((folder / "none.law").c_str(), &law), "none.law: cannot be read", "no file");
-  refuses(rc_law_save(usual_law(), (folder / "none/a.law").c_str()), "cannot be written", "no folder");
-  refuses(rc_law_save(usual_law(), (folder / ".").c_str()), "it is a folder", "a folder");
-  refuses(rc_law_load((folder / ".").c_str(), &law), "cannot be read: it is a folder", "a folder");
   check_equal(static_cast<std::int64_t>(folder.files()), 1, "files left");
 }
 
@@ -250,20 +213,8 @@ void tables_hold_the_law() {
         "units");
 
   const std::string before = content(path);
-  const auto refused = [&](const std::string& part, auto change) {
-    rc_law_export_spec bad = RC_LAW_EXPORT_SPEC_INIT;
-    bad.format = RC_LAW_CALCULIX;
-    change(bad);
-    refuses(rc_law_export(usual_law(), path.c_str(), &bad), part, part);
-  };
-  refused("format", [](rc_law_export_spec& bad) { bad.format = 9; });
-  refused("rows", [](rc_law_export_spec& bad) { bad.rows = 201; });
-  refused("rho1", [](rc_law_export_spec& bad) { bad.rho1 = -1; });
-  refused("length", [](rc_law_export_spec& bad) { bad.length = -1; });
-  refused("beyond double precision", [](rc_law_export_spec& bad) { bad.force = 1e308, bad.length = 1e-6; });
-  refused("nearer than 1e-10", [](rc_law_export_spec& bad) { bad.length = 1e-8; });
-  refused("rc_law_export_spec.beyond", [](rc_law_export_spec& bad) { bad.beyond = 0.5; });
-  refused("beyond double precision", [](rc_law_export_spec& bad) { bad.beyond = 1e308, bad.length = 1e6; });
+  spec.format = RC_LAW_CALCULIX, spec.rows = 201;
+  refuses(rc_law_export(usual_law(), path.c_str(), &spec), "rows", "rows");
   check(content(path) == before && folder.files() == 1, "a refused export leaves the file as it was");
 }
 
@@ -271,9 +222,8 @@ void tables_hold_the_law() {
 void the_error_of_a_table_is_its_largest() {
   const Folder folder("errors");
   const std::string path = folder / "table";
-  for (const char* name : {"free, love, disc", "periodic, spectral, hardness", "free, love, hardness, mean gap"}) {
-    std::vector<Patch> all = patches(16);
-    const LawHandle law = made(*std::find_if(all.begin(), all.end(), [&](const Patch& each) { return each.name == name; }));
+  for (const char* name : {"disc", "hardness", "mean gap"}) {
+    const LawHandle law = made(patch_named(name));
     for (const std::int64_t count : {5, 6, 9, 20, 200}) {
       rc_law_export_spec spec = RC_LAW_EXPORT_SPEC_INIT;
       spec.format = RC_LAW_MOOSE;
@@ -326,10 +276,6 @@ void tables_hold_friction() {
   spec.length = 1;
   check_equal(rc_law_export(usual_law(), path.c_str(), &spec), RC_OK, rc_last_error());
   check(std::abs(rows_in(path, "*FRICTION").at(0).at(1) / stiffness - 1) < 1e-9, "stiffness");
-  spec.format = RC_LAW_MOOSE;
-  refuses(rc_law_export(usual_law(), path.c_str(), &spec), "this format has no friction", "MOOSE");
-  spec.nu = 0.7;
-  refuses(rc_law_export(usual_law(), path.c_str(), &spec), "rc_law_export_spec.nu = 0.7", "nu");
 }
 
 void rows_too_near_are_refused() {
@@ -412,19 +358,16 @@ void a_name_stands_for_one_law() {
   const std::string path = folder / "steel.law";
   check_equal(rc_law_save(usual_law(), path.c_str()), RC_OK, rc_last_error());
   const rc_law *first = nullptr, *second = nullptr;
-  refuses(rc_law_open("steel of the test", nullptr, &first), "steel of the test.law: cannot be read", "no file");
   check_equal(rc_law_open("steel of the test", path.c_str(), &first), RC_OK, rc_last_error());
   check_equal(rc_law_open("steel of the test", nullptr, &second), RC_OK, rc_last_error());
   check(first == second && first != nullptr, "two laws of one name");
-  refuses(rc_law_open("", nullptr, &first), "name", "no name");
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   return pairs::run_group("law files",
-                          {{"a saved law has the same bits", a_saved_law_has_the_same_bits},
-                           {"a saved law has the status of its making", a_saved_law_has_the_status_of_its_making},
+                          {{"a saved law has the status of its making", a_saved_law_has_the_status_of_its_making},
                            {"damaged files are refused", damaged_files_are_refused},
                            {"numbers that no law has are refused", numbers_that_no_law_has_are_refused},
                            {"tables hold the law", tables_hold_the_law},
