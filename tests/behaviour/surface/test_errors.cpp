@@ -27,38 +27,39 @@ void require_error(rc_status status, rc_status expected, const char* words) {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-template <class Spec, class Call>
-void refuses(Spec spec, void (*change)(Spec&), const Call& call, rc_status expected, const char* words) {
-  change(spec);
-  require_error(call(&spec), expected, words);
+template <class Spec> struct Row {
+  rc_status status;
+  const char* words;
+  void (*change)(Spec&);
+};
+
+template <class Spec, class Call> void refuses(const Spec& good, const Call& call, std::initializer_list<Row<Spec>> rows) {
+  for (const Row<Spec>& row : rows) {
+    Spec spec = good;
+    row.change(spec);
+    require_error(call(&spec), row.status, row.words);
+  }
 }
+
+constexpr rc_status bad = RC_ERR_ARGUMENT, shape = RC_ERR_SHAPE;
+const char* const limits = "is not in 1e-60 .. 1e60";  // beyond which heights or ratios would not be finite
 
 void midpoint_displacement(void**) {
   double out[25] = {7};
   using S = rc_surface_rmd_spec;
   const S good = RC_SURFACE_RMD_SPEC_INIT;
-  const auto call = [&out](const S* spec) { return rc_surface_rmd(spec, 2, 0, out); };
-  refuses<S>(
-      good, [](S& s) { s.levels = 0; }, call, RC_ERR_ARGUMENT, "levels = 0");
-  refuses<S>(
-      good, [](S& s) { s.levels = 15; }, call, RC_ERR_ARGUMENT, "levels = 15");
-  refuses<S>(
-      good, [](S& s) { s.levels = 1; }, call, RC_ERR_ARGUMENT, "stage = 2");
-  refuses<S>(
-      good, [](S& s) { s.hurst = 0; }, call, RC_ERR_ARGUMENT, "hurst = 0");
-  refuses<S>(
-      good, [](S& s) { s.hurst = NAN; }, call, RC_ERR_ARGUMENT, "hurst");
-  refuses<S>(
-      good, [](S& s) { s.sigma = -1; }, call, RC_ERR_ARGUMENT, "sigma");
-  refuses<S>(
-      good, [](S& s) { s.rms_height = infinite; }, call, RC_ERR_ARGUMENT, "rms_height");
-  refuses<S>(
-      good, [](S& s) { s.additions = 2; }, call, RC_ERR_ARGUMENT, "additions");
-  refuses<S>(
-      good, [](S& s) { s.struct_size = 8; }, call, RC_ERR_ARGUMENT, "struct_size");
-  require_error(rc_surface_rmd(&good, 2, 3, out), RC_ERR_ARGUMENT, "crop");
-  require_error(rc_surface_rmd(&good, 2, 0, nullptr), RC_ERR_ARGUMENT, "out is null");
-  require_error(rc_surface_rmd(nullptr, 2, 0, out), RC_ERR_ARGUMENT, "null");
+  refuses<S>(good, [&out](const S* spec) { return rc_surface_rmd(spec, 2, 0, out); },
+             {{bad, "levels = 0", [](S& s) { s.levels = 0; }},
+              {bad, "levels = 15", [](S& s) { s.levels = 15; }},
+              {bad, "stage = 2", [](S& s) { s.levels = 1; }},
+              {bad, "hurst = 0", [](S& s) { s.hurst = 0; }},
+              {bad, "hurst", [](S& s) { s.hurst = NAN; }},
+              {bad, "sigma", [](S& s) { s.sigma = -1; }},
+              {bad, limits, [](S& s) { s.sigma = 5e-324; }},
+              {bad, limits, [](S& s) { s.sigma = 1.01e60; }},
+              {bad, "rms_height", [](S& s) { s.rms_height = infinite; }},
+              {bad, "additions", [](S& s) { s.additions = 2; }}});
+  require_error(rc_surface_rmd(&good, 2, 3, out), bad, "crop");
   assert_true(out[0] == 7);
 }
 
@@ -67,32 +68,20 @@ void spectral(void**) {
   using S = rc_surface_spectral_spec;
   S good = RC_SURFACE_SPECTRAL_SPEC_INIT;
   good.nx = good.ny = 2;
-  const auto call = [&out](const S* spec) { return rc_surface_spectral(spec, out); };
-  refuses<S>(
-      good, [](S& s) { s.nx = 0; }, call, RC_ERR_SHAPE, "nx = 0");
-  refuses<S>(
-      good, [](S& s) { s.nx = s.ny = INT64_MAX; }, call, RC_ERR_SHAPE, "more than");
-  refuses<S>(
-      good, [](S& s) { s.hy = 0; }, call, RC_ERR_ARGUMENT, "hy = 0");
-  refuses<S>(
-      good, [](S& s) { s.hurst = 1.5; }, call, RC_ERR_ARGUMENT, "hurst = 1.5");
-  refuses<S>(
-      good, [](S& s) { s.rms_slope = 1; }, call, RC_ERR_ARGUMENT, "exactly one");
-  refuses<S>(
-      good, [](S& s) { s.rms_height = 0; }, call, RC_ERR_ARGUMENT, "exactly one");
-  refuses<S>(
-      good,
-      [](S& s) {
-        s.q_low = 2;
-        s.q_high = 1;
-      },
-      call, RC_ERR_ARGUMENT, "q_low = 2 is above");
-  refuses<S>(
-      good, [](S& s) { s.q_low = 100; }, call, RC_ERR_ARGUMENT, "no wave");
-  refuses<S>(
-      good, [](S& s) { s.nx = s.ny = 1; }, call, RC_ERR_ARGUMENT, "no wave");
-  refuses<S>(
-      good, [](S& s) { s.reserved = 1; }, call, RC_ERR_ARGUMENT, "reserved");
+  refuses<S>(good, [&out](const S* spec) { return rc_surface_spectral(spec, out); },
+             {{shape, "nx = 0", [](S& s) { s.nx = 0; }},
+              {shape, "more than", [](S& s) { s.nx = s.ny = INT64_MAX; }},
+              {bad, "hy = 0", [](S& s) { s.hy = 0; }},
+              {bad, limits, [](S& s) { s.hx = 0.99e-60; }},
+              {bad, limits, [](S& s) { s.hy = 1e300; }},
+              {bad, "hurst = 1.5", [](S& s) { s.hurst = 1.5; }},
+              {bad, "exactly one", [](S& s) { s.rms_slope = 1; }},
+              {bad, "exactly one", [](S& s) { s.rms_height = 0; }},
+              {bad, limits, [](S& s) { s.rms_height = 0, s.rms_slope = 1e308; }},
+              {bad, "q_low = 2 is above", [](S& s) { s.q_low = 2, s.q_high = 1; }},
+              {bad, "no wave", [](S& s) { s.q_low = 100; }},
+              {bad, "no wave", [](S& s) { s.nx = s.ny = 1; }},
+              {bad, "reserved", [](S& s) { s.reserved = 1; }}});
   assert_true(out[0] == 7);
 }
 
@@ -101,54 +90,40 @@ void shapes(void**) {
   using S = rc_surface_shape_spec;
   S good = RC_SURFACE_SHAPE_SPEC_INIT;
   good.nx = good.ny = 2;
-  const auto call = [&out](const S* spec) { return rc_surface_shape(spec, out); };
-  refuses<S>(
-      good, [](S& s) { s.shape = 9; }, call, RC_ERR_ARGUMENT, "shape = 9");
-  refuses<S>(
-      good, [](S& s) { s.radius = 0; }, call, RC_ERR_ARGUMENT, "radius = 0");
-  refuses<S>(
-      good, [](S& s) { s.shape = RC_SURFACE_WAVES; }, call, RC_ERR_ARGUMENT, "both 0");
-  refuses<S>(
-      good,
-      [](S& s) {
-        s.shape = RC_SURFACE_PYRAMIDS;
-        s.period_x = -1;
-      },
-      call, RC_ERR_ARGUMENT, "period_x = -1");
-  refuses<S>(
-      good,
-      [](S& s) {
-        s.shape = RC_SURFACE_NOISE;
-        s.height = NAN;
-      },
-      call, RC_ERR_ARGUMENT, "height");
+  good.height = good.period_x = 1;
+  refuses<S>(good, [&out](const S* spec) { return rc_surface_shape(spec, out); },
+             {{bad, "shape = 9", [](S& s) { s.shape = 9; }},
+              {bad, "radius = 0", [](S& s) { s.radius = 0; }},
+              {bad, limits, [](S& s) { s.radius = 0.99e-60; }},
+              {bad, limits, [](S& s) { s.hx = 9.2e-311; }},
+              {bad, limits, [](S& s) { s.hy = 1.01e60; }},
+              {bad, "both 0", [](S& s) { s.shape = RC_SURFACE_WAVES, s.period_x = 0; }},
+              {bad, limits, [](S& s) { s.shape = RC_SURFACE_WAVES, s.period_y = 1e308; }},
+              {bad, "period_x = -1", [](S& s) { s.shape = RC_SURFACE_PYRAMIDS, s.period_x = -1; }},
+              {bad, limits, [](S& s) { s.shape = RC_SURFACE_NOISE, s.height = 1.01e60; }},
+              {bad, "height", [](S& s) { s.shape = RC_SURFACE_NOISE, s.height = NAN; }}});
   assert_true(out[0] == 7);
 }
 
 void maps(void**) {
-  const double z[] = {1, 2, NAN, 4, infinite, 6};
-  rc_surface_map map = RC_SURFACE_MAP_INIT;
+  static const double z[] = {1, 2, NAN, 4, infinite, 6}, huge[] = {0, 1e100, 0, 0, 0, 0}, good[] = {0, 1, 0, 0, 0, 0};
+  using M = rc_surface_map;
+  M map = RC_SURFACE_MAP_INIT;
   map.nx = 3;
   map.ny = 2;
-  rc_surface_statistics out{};
-  out.struct_size = sizeof out;
-  require_error(rc_surface_analyze(&map, &out), RC_ERR_ARGUMENT, "heights is null");
-  map.heights = z;
-  require_error(rc_surface_analyze(&map, &out), RC_ERR_ARGUMENT, "2 values that are not finite, first at ix=2, iy=0");
-  const double huge[] = {0, 1e100, 0, 0, 0, 0};
-  map.heights = huge;
-  require_error(rc_surface_analyze(&map, &out), RC_ERR_ARGUMENT, "another unit");
-  map.periodic = 2;
-  require_error(rc_surface_analyze(&map, &out), RC_ERR_ARGUMENT, "periodic = 2");
-  map.periodic = 0;
-  map.trend = 7;
-  require_error(rc_surface_analyze(&map, &out), RC_ERR_ARGUMENT, "trend = 7");
-  map.ny = -1;
-  require_error(rc_surface_analyze(&map, &out), RC_ERR_SHAPE, "ny = -1");
-  require_error(rc_surface_analyze(nullptr, &out), RC_ERR_ARGUMENT, "null");
-  require_error(rc_surface_analyze(&map, nullptr), RC_ERR_ARGUMENT, "null");
-  out.struct_size = 3;
-  require_error(rc_surface_analyze(&map, &out), RC_ERR_ARGUMENT, "struct_size = 3");
+  map.heights = good;
+  rc_surface_statistics out = RC_SURFACE_STATISTICS_INIT;
+  rc_surface_power_law law = RC_SURFACE_POWER_LAW_INIT;
+  refuses<M>(map, [&out](const M* each) { return rc_surface_analyze(each, &out); },
+             {{bad, "heights is null", [](M& m) { m.heights = nullptr; }},
+              {bad, "2 values that are not finite, first at ix=2, iy=0", [](M& m) { m.heights = z; }},
+              {bad, "another unit", [](M& m) { m.heights = huge; }},
+              {bad, "periodic = 2", [](M& m) { m.periodic = 2; }},
+              {bad, "trend = 7", [](M& m) { m.trend = 7; }},
+              {bad, "map.hx = ", [](M& m) { m.hx = 0.99e-60; }},
+              {shape, "ny = -1", [](M& m) { m.ny = -1; }}});
+  refuses<M>(map, [&law](const M* each) { return rc_surface_fit(each, &law); },
+             {{bad, limits, [](M& m) { m.hx = 9.2e-311; }}, {bad, "map.hy = ", [](M& m) { m.hy = 1.01e60; }}});
 }
 
 void flat_maps_have_nothing_to_judge(void**) {
@@ -177,7 +152,6 @@ void too_many_levels_and_small_arrays(void**) {
   std::int64_t modes[2], count = 2;
   require_error(rc_surface_psd(&map, q, power, modes, &count), RC_ERR_ARGUMENT, "the arrays hold 2 rings");
   require_error(rc_surface_psd(&map, q, nullptr, modes, &count), RC_ERR_ARGUMENT, "all or none");
-  require_error(rc_surface_psd(&map, q, power, modes, nullptr), RC_ERR_ARGUMENT, "count is null");
   require_error(rc_surface_downsample(20, 20, grid.z.data(), nullptr, 0, power, nullptr), RC_ERR_ARGUMENT, "filter = 0");
   require_error(rc_surface_downsample(0, 20, grid.z.data(), nullptr, 1, power, nullptr), RC_ERR_SHAPE, "nx = 0");
 }
@@ -207,74 +181,13 @@ void pitches_of_different_size(void**) {
   require_error(rc_surface_psd(&map, nullptr, nullptr, nullptr, &count), RC_ERR_ARGUMENT, "limit 9e18");
 }
 
-// Ratios of wave numbers would not be numbers any more.
-void pitches_beyond_the_limits(void**) {
-  Grid grid = noise(1, 46);
-  grid.nx = 2;
-  grid.ny = 23;
-  grid.z.resize(46);
-  for (const double pitch : {9.2e-311, 0.99e-60, 1.01e60, 1e300}) {
-    for (const bool along_x : {true, false}) {
-      rc_surface_map map = map_of(grid);
-      (along_x ? map.hx : map.hy) = pitch;
-      const char* const words = along_x ? "map.hx = " : "map.hy = ";
-      rc_surface_power_law law{};
-      law.struct_size = sizeof law;
-      require_error(rc_surface_fit(&map, &law), RC_ERR_ARGUMENT, words);
-      require_error(rc_surface_fit(&map, &law), RC_ERR_ARGUMENT, "is not in 1e-60 .. 1e60");
-      rc_surface_statistics found{};
-      found.struct_size = sizeof found;
-      require_error(rc_surface_analyze(&map, &found), RC_ERR_ARGUMENT, words);
-      double out[4] = {};
-      rc_surface_spectral_spec waves = RC_SURFACE_SPECTRAL_SPEC_INIT;
-      waves.nx = waves.ny = 2;
-      waves.rms_height = 1;
-      (along_x ? waves.hx : waves.hy) = pitch;
-      require_error(rc_surface_spectral(&waves, out), RC_ERR_ARGUMENT, "is not in 1e-60 .. 1e60");
-      rc_surface_shape_spec sphere = RC_SURFACE_SHAPE_SPEC_INIT;
-      sphere.nx = sphere.ny = 2;
-      sphere.radius = 1;
-      (along_x ? sphere.hx : sphere.hy) = pitch;
-      require_error(rc_surface_shape(&sphere, out), RC_ERR_ARGUMENT, "is not in 1e-60 .. 1e60");
-    }
-  }
-}
-
-// Heights would not be finite.
-void lengths_beyond_the_limits(void**) {
-  double out[9] = {};
-  const auto shape = [&](std::int32_t kind, double rc_surface_shape_spec::*length, double value) {
-    rc_surface_shape_spec spec = RC_SURFACE_SHAPE_SPEC_INIT;
-    spec.shape = kind;
-    spec.nx = spec.ny = 3;
-    spec.height = spec.period_x = 1;
-    spec.*length = value;
-    return rc_surface_shape(&spec, out);
-  };
-  for (const double value : {5e-324, 0.99e-60, 1.01e60, 1e308}) {
-    const char* const words = "is not in 1e-60 .. 1e60";
-    require_error(shape(RC_SURFACE_PARABOLOID, &rc_surface_shape_spec::radius, value), RC_ERR_ARGUMENT, words);
-    require_error(shape(RC_SURFACE_NOISE, &rc_surface_shape_spec::height, value), RC_ERR_ARGUMENT, words);
-    require_error(shape(RC_SURFACE_WAVES, &rc_surface_shape_spec::period_y, value), RC_ERR_ARGUMENT, words);
-    rc_surface_rmd_spec fractal = RC_SURFACE_RMD_SPEC_INIT;
-    fractal.levels = 1;
-    fractal.sigma = value;
-    require_error(rc_surface_rmd(&fractal, 1, 0, out), RC_ERR_ARGUMENT, words);
-    rc_surface_spectral_spec waves = RC_SURFACE_SPECTRAL_SPEC_INIT;
-    waves.nx = waves.ny = 3;
-    waves.rms_slope = value;
-    require_error(rc_surface_spectral(&waves, out), RC_ERR_ARGUMENT, words);
-  }
-  for (const double height : out) assert_true(height == 0);
-}
-
 void success_clears_the_message(void**) {
   assert_true(rc_surface_rmd(nullptr, 0, 0, nullptr) == RC_ERR_ARGUMENT);
   statistics(noise(1, 8));
   assert_string_equal(rc_surface_last_error(), "");
 }
 
-void older_and_newer_callers_are_served(void**) {
+void newer_callers_are_served(void**) {
   struct Newer {
     rc_surface_statistics known;
     double unknown;
@@ -285,7 +198,7 @@ void older_and_newer_callers_are_served(void**) {
   require_ok(rc_surface_analyze(&map, &newer.known));
   assert_true(newer.known.rms_height > 0 && newer.known.struct_size == sizeof newer);
   newer.unknown = 1;
-  require_error(rc_surface_analyze(&map, &newer.known), RC_ERR_ARGUMENT, "newer library");
+  require_error(rc_surface_analyze(&map, &newer.known), bad, "newer library");
 }
 
 // Every size and kind of content through every function that calls GSL.
@@ -325,10 +238,8 @@ int main() {
                               cmocka_unit_test(flat_maps_have_nothing_to_judge),
                               cmocka_unit_test(too_many_levels_and_small_arrays),
                               cmocka_unit_test(pitches_of_different_size),
-                              cmocka_unit_test(pitches_beyond_the_limits),
-                              cmocka_unit_test(lengths_beyond_the_limits),
                               cmocka_unit_test(success_clears_the_message),
-                              cmocka_unit_test(older_and_newer_callers_are_served),
+                              cmocka_unit_test(newer_callers_are_served),
                               cmocka_unit_test(gsl_never_reports_an_error)};
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

@@ -1,11 +1,9 @@
 // The analysis of measured surfaces whose character is known, within stated tolerances.
-#include <bit>
+#include <roughcontact/formats.h>
+
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <fstream>
-#include <iterator>
-#include <map>
 #include <string>
 
 #include "library.h"
@@ -18,24 +16,10 @@ namespace {
 const std::string data = std::string(RC_MEASURED_DIR) + "/";
 
 Grid read(const std::string& name) {
-  std::ifstream stream{data + name + ".gsf", std::ios::binary};
-  const std::string file{std::istreambuf_iterator<char>{stream}, {}};
-  const auto end = file.find('\0');
-  if (!stream || end == std::string::npos) fail_msg("%s cannot be read", name.c_str());
-  const auto field = [&](const std::string& key) {
-    return std::strtod(file.c_str() + file.find(key + " = ") + key.size() + 3, nullptr);
-  };
-  Grid grid;
-  grid.nx = std::llround(field("XRes"));
-  grid.ny = std::llround(field("YRes"));
-  grid.hx = field("XReal") / static_cast<double>(grid.nx);
-  grid.hy = field("YReal") / static_cast<double>(grid.ny);
-  for (std::size_t at = (end / 4 + 1) * 4; at < file.size(); at += 4) {
-    float z = 0;
-    std::memcpy(&z, file.data() + at, 4);
-    grid.z.push_back(static_cast<double>(z));
-  }
-  assert_true(grid.z.size() == static_cast<std::size_t>(grid.nx * grid.ny));
+  rc_surface_file file = RC_SURFACE_FILE_INIT;
+  if (rc_surface_read((data + name + ".gsf").c_str(), nullptr, &file) != RC_OK) fail_msg("%s", rc_surface_read_last_error());
+  Grid grid{file.nx, file.ny, file.hx, file.hy, false, {file.heights, file.heights + file.nx * file.ny}};
+  rc_surface_file_free(&file);
   return grid;
 }
 
