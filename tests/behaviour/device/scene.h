@@ -54,6 +54,11 @@ inline rc_system grid_of(std::int64_t n) {
   return system;
 }
 
+inline std::int64_t& last_calls() {
+  static std::int64_t calls = 0;
+  return calls;
+}
+
 // A context that has the plugin, and a contact on it.
 class Contact {
  public:
@@ -117,6 +122,37 @@ class Contact {
   mutable std::mutex hearing_;
   std::string logged_;
 };
+
+// The layer below fails in its call number `at` of what act() does; its calls are counted, and 0 lets all succeed.
+template <class Act> auto with_fault(rc_cuda::Fault fault, std::int64_t at, const Act& act) {
+  rc_cuda::host_faults() = {.fault = fault, .at = at};
+  const auto result = act();
+  last_calls() = rc_cuda::host_faults().calls;
+  rc_cuda::host_faults() = {};
+  return result;
+}
+
+// The plugin with estimates by which "auto" takes it; at_once: for several contacts together alone.
+template <bool at_once> const rc_plugin* cheap() {
+  static rc_backend backend = *plugin()->backends[0];
+  static rc_solver solver = *plugin()->solvers[0];
+  static const rc_backend* const backends[] = {&backend};
+  static const rc_solver* const solvers[] = {&solver};
+  static rc_plugin copy = *plugin();
+  backend.score = solver.score = [](const rc_facts* facts, rc_estimate* estimate) -> rc_status {
+    estimate->seconds = at_once && facts->at_once <= 1 ? 1 : 1e-12;
+    estimate->product = 1;  // other solvers make their products by it
+    return RC_OK;
+  };
+  copy.backends = backends;
+  copy.solvers = solvers;
+  return &copy;
+}
+
+inline void expect_failed(const Contact& contact, rc_cuda::Fault fault) {
+  const char* const words = fault == rc_cuda::Fault::lost ? "the device is lost" : "the kernel failed";
+  if (contact.words().find(words) == std::string::npos) fail_msg("\"%s\" does not have \"%s\"", contact.words().c_str(), words);
+}
 
 inline void expect_untouched(const std::vector<double>& p) {
   for (const double value : p) assert_true(value == untouched);

@@ -220,10 +220,8 @@ void copies_may_fail(void**) {
       OnDevice<double> gap(hills()), p(untouched);
       rc_result result = RC_RESULT_INIT;
       result.p = on_device(p);
-      host_faults() = {.fault = fault, .at = call};
-      assert_int_equal(contact.solve(pressed_on_device(gap), result), RC_ERR_EXTERNAL);
-      host_faults() = {};
-      expect_words(contact, fault == Fault::lost ? "the device is lost" : "the kernel failed");
+      assert_int_equal(with_fault(fault, call, [&] { return contact.solve(pressed_on_device(gap), result); }), RC_ERR_EXTERNAL);
+      expect_failed(contact, fault);
       expect_untouched(p.values());
       goes_on_elsewhere(contact);
     }

@@ -1,7 +1,6 @@
 // What can go wrong with a device: each time a status, the driver's words, pressures that are not touched, and a contact that
 // goes on with another backend.
 #include <roughcontact/derivatives.h>
-#include <roughcontact/history.h>
 
 #include <cstdio>
 #include <cstring>
@@ -15,33 +14,29 @@ namespace {
 using namespace device;
 using rc_cuda::Fault, rc_cuda::host_faults;
 
-std::int64_t calls_of_a_solve() {
-  Contact contact;
-  std::vector<double> p;
-  host_faults() = {.fault = Fault::once, .at = 0};
-  assert_int_equal(contact.solve(p), RC_OK);
-  const std::int64_t calls = host_faults().calls;
-  host_faults() = {};
-  return calls;
-}
-
 // Each of the first calls, and later ones at growing distances.
 void any_call_may_fail(void**) {
-  const std::int64_t all = calls_of_a_solve();
+  const auto solved = [](Contact& contact, Fault fault, std::int64_t at) {
+    std::vector<double> p;
+    const rc_status status = with_fault(fault, at, [&] { return contact.solve(p); });
+    if (status != RC_OK) expect_untouched(p);
+    return status;
+  };
+  {
+    Contact contact;
+    assert_int_equal(solved(contact, Fault::once, 0), RC_OK);
+  }
+  const std::int64_t all = last_calls();
   int failures = 0;
   for (const Fault fault : {Fault::once, Fault::lost})
     for (std::int64_t k = 1; k <= all; k += 1 + k / 16) {
       Contact contact;
-      std::vector<double> p;
-      host_faults() = {.fault = fault, .at = k};
-      const rc_status status = contact.solve(p);
-      host_faults() = {};
+      const rc_status status = solved(contact, fault, k);
       if (status != RC_ERR_EXTERNAL) fail_msg("call %lld of %lld: status %d", (long long)k, (long long)all, status);
-      expect_words(contact, fault == Fault::lost ? "the device is lost" : "the kernel failed");
+      expect_failed(contact, fault);
       expect_words(contact, "cuda-host: ");
-      expect_untouched(p);
       // The device again, where it was one kernel that failed; another backend in any case.
-      if (fault == Fault::once) assert_int_equal(contact.solve(p), RC_OK);
+      if (fault == Fault::once) assert_int_equal(solved(contact, Fault::once, 0), RC_OK);
       goes_on_elsewhere(contact);
       ++failures;
     }
@@ -89,29 +84,26 @@ void coarser_grids_may_fail(void**) {
   result.p.data = p.data();
   const auto solved = [&](Contact& contact, Fault fault, std::int64_t at) {
     p.assign(gap.size(), untouched);
-    host_faults() = {.fault = fault, .at = at};
-    const rc_status status = contact.solve(step, result);
-    return status;
+    return with_fault(fault, at, [&] { return contact.solve(step, result); });
   };
-  std::int64_t all = 0, without = 0;
+  std::int64_t without = 0;
   {
     Contact contact(1048576, n);
     assert_int_equal(solved(contact, Fault::once, 0), RC_OK);
-    all = host_faults().calls;
   }
+  const std::int64_t all = last_calls();
   const std::vector<double> wanted = p;
   for (const Fault fault : {Fault::once, Fault::lost})
     for (std::int64_t k = 1; k <= all; k += 23) {
       Contact contact(1048576, n);
       const rc_status status = solved(contact, fault, k);
-      host_faults() = {};
       if (fault == Fault::once && status == RC_OK) {
         for (std::size_t i = 0; i < p.size(); ++i) assert_true(std::abs(p[i] - wanted[i]) < 1e-6);
         ++without;
         continue;
       }
       assert_int_equal(status, RC_ERR_EXTERNAL);
-      expect_words(contact, fault == Fault::lost ? "the device is lost" : "the kernel failed");
+      expect_failed(contact, fault);
       expect_untouched(p);
     }
   assert_true(without > 0);
@@ -133,15 +125,12 @@ void derivatives_may_fail(void**) {
       tangent.dp = RC_OUT(out.data());
       return of_tangent ? rc_contact_tangent(contact.get(), &tangent) : rc_contact_gradient(contact.get(), &gradient);
     };
-    host_faults() = {.fault = Fault::once, .at = 0};
-    assert_int_equal(derive(), RC_OK);
-    const std::int64_t all = host_faults().calls;
+    assert_int_equal(with_fault(Fault::once, 0, derive), RC_OK);
+    const std::int64_t all = last_calls();
     const std::vector<double> wanted = out;
     assert_true(all > 10);
     for (std::int64_t k = 1; k <= all; k += 1 + k / 8) {
-      host_faults() = {.fault = Fault::once, .at = k};
-      assert_int_equal(derive(), RC_ERR_EXTERNAL);
-      host_faults() = {};
+      assert_int_equal(with_fault(Fault::once, k, derive), RC_ERR_EXTERNAL);
       assert_non_null(std::strstr(rc_last_error(), "the kernel failed"));
       expect_untouched(out);
       assert_int_equal(derive(), RC_OK);
@@ -150,88 +139,16 @@ void derivatives_may_fail(void**) {
   }
 }
 
-void a_history_goes_on_elsewhere(void**) {
-  Contact contact, healthy;
-  std::vector<double> p(hills().size()), wanted(p);
-  rc_step step = cold_step();
-  step.undeformed_gap.data = hills().data();
-  step.warm_start = 1;
-  rc_result result = RC_RESULT_INIT;
-  const auto at = [&](Contact& on, double target, std::vector<double>& to) {
-    step.target = target;
-    result.p.data = to.data();
-    return on.solve(step, result);
-  };
-  for (Contact* each : {&contact, &healthy}) assert_int_equal(at(*each, 0.4, p), RC_OK);
-  p.assign(p.size(), untouched);
-  host_faults() = {.fault = Fault::lost, .at = 40};
-  assert_int_equal(at(contact, 0.6, p), RC_ERR_EXTERNAL);
-  expect_untouched(p);
-  contact.use("haar-cg", "dense");  // the device stays lost
-  assert_int_equal(at(contact, 0.6, p), RC_OK);
-  host_faults() = {};
-  assert_int_equal(at(healthy, 0.6, wanted), RC_OK);
-  for (std::size_t i = 0; i < p.size(); ++i) assert_true(std::abs(p[i] - wanted[i]) < 1e-6);
-}
-
-void contacts_of_a_batch_fail_by_themselves(void**) {
-  constexpr std::int64_t n = 3;
-  Contact contact;
-  std::vector<double> gaps, p(n * hills().size(), untouched);
-  for (std::int64_t i = 0; i < n; ++i) gaps.insert(gaps.end(), hills().begin(), hills().end());
-  const double target = 0.6;
-  std::vector<rc_status> status(n, RC_OK);
-  rc_batch batch = RC_BATCH_INIT;
-  batch.control = RC_CONTROL_APPROACH;
-  batch.n = n;
-  batch.steps = 1;
-  batch.targets = RC_IN(&target);
-  batch.target_stride = RC_BATCH_SHARED;
-  batch.undeformed_gap = RC_IN(gaps.data());
-  batch.p = RC_OUT(p.data());
-  batch.columns.status = RC_OUT(status.data());
-  batch.fn = [](std::int64_t, std::int64_t, const rc_result*, void*) { return std::int32_t{0}; };  // one at a time
-  const rc_system system = grid_of(side);
-  host_faults() = {.fault = Fault::once, .at = calls_of_a_solve() + 40};  // in the second contact
-  assert_int_equal(rc_batch_solve(&system, contact.options(), &batch), RC_ERR_EXTERNAL);
-  host_faults() = {};
-  const rc_status wanted[n] = {RC_OK, RC_ERR_EXTERNAL, RC_OK};
-  for (std::size_t i = 0; i < n; ++i) {
-    assert_int_equal(status[i], wanted[i]);
-    assert_true((p[i * hills().size()] == untouched) == (wanted[i] != RC_OK));
-  }
-}
-
-// The plugin with scores by which "auto" takes it.
-const rc_plugin* cheapest() {
-  const auto free = [](const rc_facts*, rc_estimate* estimate) -> rc_status {
-    estimate->seconds = 1e-12;
-    estimate->product = 1;  // other solvers make their products by it
-    return RC_OK;
-  };
-  static rc_backend backend = *plugin()->backends[0];
-  static rc_solver solver = *plugin()->solvers[0];
-  static const rc_backend* const backends[] = {&backend};
-  static const rc_solver* const solvers[] = {&solver};
-  static rc_plugin cheap = *plugin();
-  backend.score = solver.score = free;
-  cheap.backends = backends;
-  cheap.solvers = solvers;
-  return &cheap;
-}
-
 void auto_passes_over_a_device_that_fails(void**) {
   for (const Fault fault : {Fault::none, Fault::once, Fault::lost}) {
-    Contact contact(1048576, side, cheapest());
+    Contact contact(1048576, side, cheap<false>());
     contact.use("auto", "auto");
     std::vector<double> p(hills().size());
     rc_step step = cold_step();
     step.undeformed_gap.data = hills().data();
     rc_result result = RC_RESULT_INIT;
     result.p.data = p.data();
-    host_faults() = {.fault = fault, .at = 60};
-    if (contact.solve(step, result) != RC_OK) fail_msg("%s", contact.words().c_str());
-    host_faults() = {};
+    if (with_fault(fault, 60, [&] { return contact.solve(step, result); }) != RC_OK) fail_msg("%s", contact.words().c_str());
     const bool on_device = std::string(result.backend) == "cuda-host" && std::string(result.solver) == "haar-cuda-host";
     assert_true(on_device == (fault == Fault::none));
     assert_true((std::string(result.note).find("cuda-host") != std::string::npos) == (fault != Fault::none));
@@ -263,8 +180,6 @@ int main() {
                               cmocka_unit_test(too_little_memory_is_told_in_bytes),
                               cmocka_unit_test(coarser_grids_may_fail),
                               cmocka_unit_test(derivatives_may_fail),
-                              cmocka_unit_test(a_history_goes_on_elsewhere),
-                              cmocka_unit_test(contacts_of_a_batch_fail_by_themselves),
                               cmocka_unit_test(auto_passes_over_a_device_that_fails),
                               cmocka_unit_test(grids_beyond_what_a_pass_counts_are_refused)};
   return cmocka_run_group_tests(tests, nullptr, nullptr);

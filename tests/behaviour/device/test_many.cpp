@@ -97,32 +97,43 @@ void expect_as_one_at_a_time(const Scene& s, const char* name) {
   expect_certified(s);
 }
 
-void answers_are_those_of_contacts_one_at_a_time(void**) {
-  const std::pair<std::int64_t, std::int64_t> sizes[] = {{24, 24}, {17, 30}, {64, 64}, {1, 40}, {36, 1}, {3, 2}};
-  for (const auto& [nx, ny] : sizes)
-    for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC})
-      for (const std::int32_t control : {RC_CONTROL_APPROACH, RC_CONTROL_LOAD}) {
-        if (boundary == RC_BOUNDARY_PERIODIC && nx == 17) continue;  // no transform of that length
-        Scene s = scene_of(nx, ny, boundary, control);
-        char name[64];
-        std::snprintf(name, sizeof name, "%dx%d, %s, %s", static_cast<int>(nx), static_cast<int>(ny),
-                      boundary == RC_BOUNDARY_FREE ? "free" : "periodic", control == RC_CONTROL_LOAD ? "load" : "approach");
-        expect_as_one_at_a_time(s, name);
-      }
+// Every second contact leaves out points, where the gap means nothing.
+void leave_out_points(Scene& s) {
+  s.masks.assign(s.gaps.size(), 1);
+  for (std::size_t m = 0; m < s.masks.size(); ++m)
+    if (m / s.points() % 2 == 1 && (m / 5) % 3 == 0) {
+      s.masks[m] = 0;
+      s.gaps[m] = std::nan("");
+    }
+}
+// Each step leaves an indentation to the next.
+void yield(Scene& s) { s.system.hardness = 0.2; }
+void in_metres(Scene& s) {
+  s.system.hx = 2e-6;
+  s.system.hy = 1e-6;
+  s.system.modulus = 2e11;
+  for (double& each : s.gaps) each *= 1e-6;
+  for (double& each : s.targets) each *= s.control == RC_CONTROL_LOAD ? 2e11 * 2e-12 : 1e-6;
 }
 
-void masks_belong_to_their_contacts(void**) {
-  for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC})
-    for (const std::int32_t control : {RC_CONTROL_APPROACH, RC_CONTROL_LOAD}) {
-      Scene s = scene_of(24, 20, boundary, control);
-      s.masks.assign(s.gaps.size(), 1);
-      for (std::size_t m = 0; m < s.masks.size(); ++m)
-        if (m / s.points() % 2 == 1 && (m / 5) % 3 == 0) {
-          s.masks[m] = 0;
-          s.gaps[m] = std::nan("");  // means nothing there
-        }
-      expect_as_one_at_a_time(s, "masks");
-    }
+void answers_are_those_of_contacts_one_at_a_time(void**) {
+  struct Row {
+    const char* name;
+    std::int64_t nx, ny, steps;
+    void (*change)(Scene&);
+  };
+  const auto nothing = [](Scene&) {};
+  for (const Row& row : {Row{"square", 24, 24, 1, nothing}, Row{"no periodic transform", 17, 30, 1, nothing},
+                         Row{"larger", 64, 64, 1, nothing}, Row{"column", 1, 40, 1, nothing}, Row{"row", 36, 1, 1, nothing},
+                         Row{"few points", 3, 2, 1, nothing}, Row{"masks", 24, 20, 1, leave_out_points},
+                         Row{"hardness", 20, 24, 3, yield}, Row{"metres, long cells", 24, 20, 2, in_metres}})
+    for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC})
+      for (const std::int32_t control : {RC_CONTROL_APPROACH, RC_CONTROL_LOAD}) {
+        if (boundary == RC_BOUNDARY_PERIODIC && (row.nx == 17 || row.change == in_metres)) continue;
+        Scene s = scene_of(row.nx, row.ny, boundary, control, row.steps);
+        row.change(s);
+        expect_as_one_at_a_time(s, row.name);
+      }
 }
 
 void histories_start_from_the_step_before(void**) {
@@ -166,27 +177,6 @@ void no_later_step_sends_a_start(void**) {
   assert_int_equal(to_host[1] - to_host[0], 5 * s.n * of_step);
 }
 
-void hardness_leaves_an_indentation_between_steps(void**) {
-  for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC})
-    for (const std::int32_t control : {RC_CONTROL_APPROACH, RC_CONTROL_LOAD}) {
-      Scene s = scene_of(20, 24, boundary, control, 3);
-      s.system.hardness = 0.2;
-      expect_as_one_at_a_time(s, "hardness");
-    }
-}
-
-void units_and_long_cells(void**) {
-  for (const std::int32_t control : {RC_CONTROL_APPROACH, RC_CONTROL_LOAD}) {
-    Scene s = scene_of(24, 20, RC_BOUNDARY_FREE, control, 2);
-    s.system.hx = 2e-6;
-    s.system.hy = 1e-6;
-    s.system.modulus = 2e11;
-    for (double& each : s.gaps) each *= 1e-6;
-    for (double& each : s.targets) each *= control == RC_CONTROL_LOAD ? 2e11 * 2e-12 : 1e-6;
-    expect_as_one_at_a_time(s, "other units");
-  }
-}
-
 void options_of_the_solver_hold(void**) {
   const Scene s = scene_of(24, 24, RC_BOUNDARY_FREE, RC_CONTROL_LOAD);
   const Contact context;
@@ -228,31 +218,9 @@ void what_asks_for_more_is_solved_one_at_a_time(void**) {
   }
 }
 
-// The plugin with estimates by which "auto" takes it for batches.
-const rc_plugin* cheap_for_many() {
-  const auto score = [](const rc_facts* facts, rc_estimate* estimate) -> rc_status {
-    estimate->seconds = facts->at_once > 1 ? 1e-12 : 1;
-    estimate->product = 1;
-    return RC_OK;
-  };
-  static rc_backend backend = *plugin()->backends[0];
-  static rc_solver solver = *plugin()->solvers[0];
-  static const rc_backend* const backends[] = {&backend};
-  static const rc_solver* const solvers[] = {&solver};
-  static rc_plugin cheap = *plugin();
-  backend.score = score;
-  solver.score = [](const rc_facts* facts, rc_estimate* estimate) -> rc_status {
-    estimate->seconds = facts->backend->seconds;
-    return RC_OK;
-  };
-  cheap.backends = backends;
-  cheap.solvers = solvers;
-  return &cheap;
-}
-
 void auto_takes_many_by_what_each_costs(void**) {
   const Scene s = scene_of(24, 24, RC_BOUNDARY_FREE, RC_CONTROL_LOAD);
-  Contact context(1048576, side, cheap_for_many());
+  Contact context(1048576, side, cheap<true>());
   context.use("auto", "auto");
   const Found found = solved(s, context);
   assert_int_equal(found.status, RC_OK);
@@ -318,11 +286,8 @@ void bits_are_the_same_however_many_are_taken_at_once(void**) {
 
 int main() {
   const CMUnitTest tests[] = {cmocka_unit_test(answers_are_those_of_contacts_one_at_a_time),
-                              cmocka_unit_test(masks_belong_to_their_contacts),
                               cmocka_unit_test(histories_start_from_the_step_before),
                               cmocka_unit_test(no_later_step_sends_a_start),
-                              cmocka_unit_test(hardness_leaves_an_indentation_between_steps),
-                              cmocka_unit_test(units_and_long_cells),
                               cmocka_unit_test(options_of_the_solver_hold),
                               cmocka_unit_test(what_asks_for_more_is_solved_one_at_a_time),
                               cmocka_unit_test(auto_takes_many_by_what_each_costs),
