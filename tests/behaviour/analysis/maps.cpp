@@ -45,19 +45,6 @@ Map random_map(std::int64_t nx, std::int64_t ny, std::int32_t boundary, double s
   return map;
 }
 
-Map transposed(const Map& map) {
-  Map result = map;
-  std::swap(result.system.nx, result.system.ny);
-  std::swap(result.system.hx, result.system.hy);
-  const auto nx = static_cast<std::size_t>(map.system.nx), ny = static_cast<std::size_t>(map.system.ny);
-  for (std::size_t iy = 0; iy < ny; ++iy)
-    for (std::size_t ix = 0; ix < nx; ++ix) {
-      result.p[ix * ny + iy] = map.p[iy * nx + ix];
-      if (!map.mask.empty()) result.mask[ix * ny + iy] = map.mask[iy * nx + ix];
-    }
-  return result;
-}
-
 rc_area area_of(const Map& map) {
   rc_area area = RC_AREA_INIT;
   check(rc_area_measure(&map.system, RC_IN(map.p.data()), RC_IN(map.mask_data()), &area) == RC_OK, rc_last_error());

@@ -30,8 +30,6 @@ struct Map {
 Map drawn(const std::vector<std::string>& rows, std::int32_t boundary = RC_BOUNDARY_FREE);
 // Pressures 0 .. 1 at a share of the points; a share of them masked.
 Map random_map(std::int64_t nx, std::int64_t ny, std::int32_t boundary, double share, double masked, std::mt19937_64& random);
-Map transposed(const Map& map);
-
 rc_area area_of(const Map& map);
 
 struct Patches {
@@ -47,10 +45,5 @@ struct Histogram {
   Field density;
 };
 Histogram histogram_of(const Map& map, std::int64_t bins, double upper);
-
-std::vector<pairs::Test> area_tests();
-std::vector<pairs::Test> patch_tests();
-std::vector<pairs::Test> histogram_tests();
-std::vector<pairs::Test> crossing_tests();
 
 }  // namespace analysis
