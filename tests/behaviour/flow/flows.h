@@ -25,20 +25,4 @@ rc_flow_result flow(const Field& field, std::int32_t along = RC_FLOW_X, std::int
 rc_flow_factors factors(const Field& field, double width = 1e-9);
 void require_near(double found, double expected, double relative, const char* what);
 
-// Deterministic numbers in 0 .. 1.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : state_(seed * 2862933555777941757u + 3037000493u) {}
-  double next() {
-    state_ ^= state_ << 13;
-    state_ ^= state_ >> 7;
-    state_ ^= state_ << 17;
-    return static_cast<double>(state_ >> 11) * 0x1p-53;
-  }
-  std::int64_t below(std::int64_t n) { return static_cast<std::int64_t>(next() * static_cast<double>(n)); }
-
- private:
-  std::uint64_t state_;
-};
-
 }  // namespace flow_tests
