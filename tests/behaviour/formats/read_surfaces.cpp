@@ -1,7 +1,7 @@
 // read_surfaces [--heights FILE] [--unit U] [--height-range H] [--format NAME] [--remove FORM] [--fill] SURFACE...: reads surface
-// files by the library, from their path and from memory, and prints one line for each, "ok FORMAT NX NY HX HY MISSING RMS
-// ASSUMED" or "error MESSAGE". --heights writes those of the last as raw doubles. A crash ends it, so that many damaged files can
-// be tried in one process.
+// files by the library, from their path and from memory, and prints one line for each, "ok FORMAT NX NY HX HY MISSING ASSUMED" or
+// "error MESSAGE". --heights writes those of the last as raw doubles. A crash ends it, so that many damaged files can be tried in
+// one process.
 #ifdef RC_READ_HDF5
 #include <hdf5.h>
 #endif
@@ -33,19 +33,6 @@ struct Settings {
 // Whatever is not the file's fault, lack of memory too, ends the program: a file's size must justify what is allocated for it.
 void require_ok(rc_status status) {
   if (status != RC_OK) stop("failed");
-}
-
-double rms(const rc_surface_file& file) {
-  double sum = 0, squares = 0, count = 0, first = NAN;
-  for (std::int64_t i = 0; i < file.nx * file.ny; ++i) {
-    const double z = file.heights[i];
-    if (std::isnan(z)) continue;
-    if (std::isnan(first)) first = z;
-    sum += z - first;
-    squares += (z - first) * (z - first);
-    ++count;
-  }
-  return std::sqrt(squares / count - sum / count * (sum / count));
 }
 
 std::size_t bytes_of(const rc_surface_file& file) { return static_cast<std::size_t>(file.nx * file.ny) * sizeof(double); }
@@ -84,9 +71,8 @@ void try_file(const char* path, const Settings& settings) {
   if (settings.fill)
     require_ok(rc_surface_fill(file.nx, file.ny, file.hx > 0 ? file.hx : 1, file.hy > 0 ? file.hy : 1, file.heights));
   const auto pitch = [](double h) { return h > 0 ? h : NAN; };
-  std::printf("ok %s %lld %lld %.17g %.17g %lld %.17g %s%s\n", file.format, static_cast<long long>(file.nx),
-              static_cast<long long>(file.ny), pitch(file.hx), pitch(file.hy), static_cast<long long>(file.missing), rms(file),
-              file.assumed,
+  std::printf("ok %s %lld %lld %.17g %.17g %lld %s%s\n", file.format, static_cast<long long>(file.nx),
+              static_cast<long long>(file.ny), pitch(file.hx), pitch(file.hy), static_cast<long long>(file.missing), file.assumed,
               file.periodic < 0   ? ""
               : file.periodic > 0 ? " periodic"
                                   : " does not repeat");

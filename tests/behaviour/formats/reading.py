@@ -39,13 +39,13 @@ class ReaderTest(CommandTest):
     def read(self, name, *arguments):
         """Format, heights, pitch and note of a file that can be read."""
         (line,) = self.lines(*arguments, "--heights", "heights.raw", name)
-        words = line.split(" ", 8)
+        words = line.split(" ", 7)
         self.assertEqual(words[0], "ok", line)
         nx, ny = int(words[2]), int(words[3])
         heights = np.fromfile(self.folder / "heights.raw").reshape(ny, nx)
         if "--fill" not in arguments:
             self.assertEqual(int(words[6]), np.isnan(heights).sum())
-        return words[1], heights, tuple(None if math.isnan(float(w)) else float(w) for w in words[4:6]), words[8]
+        return words[1], heights, tuple(None if math.isnan(float(w)) else float(w) for w in words[4:6]), words[7]
 
     def assert_reads(self, name, contents, z, pitch, *arguments, format=None, note="", rtol=1e-6, atol=1e-15):
         found, heights, found_pitch, found_note = self.read(self.file(name, contents), *arguments)

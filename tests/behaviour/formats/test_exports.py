@@ -67,10 +67,6 @@ class Damaged(ReaderTest):
         self.assert_refused("a.csv", head + "".join([lines[0].rsplit(",", 1)[0] + "\n"] + lines[1:]), "has 16 values, expected 15")
         self.assert_refused("a.csv", head + rows(",") + "mean, rms\n1.5, 2\n", "words part 12 rows of numbers from 1 of another length")
 
-    def test_two_readings_of_commas_are_refused(self):
-        self.assert_refused("a.csv", "0,5, 1,5\n2,5, 3,5\n", "a comma may be a decimal mark or separate numbers")
-        self.assert_refused("a.csv", "1,5\n4,5\n2,5\n", ["decimal comma", "two whole numbers"])
-
 
 if __name__ == "__main__":
     reading.main()

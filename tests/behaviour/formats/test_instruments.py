@@ -1,7 +1,5 @@
 """Files as instruments and other programs wrote them, with what is known of them. They are skipped where they are absent."""
-import os
 import sys
-import unittest
 from pathlib import Path
 
 import reading
@@ -37,21 +35,6 @@ class Instruments(ReaderTest):
         _, heights, _, _ = self.read(DATA / "sur-2.sur")
         raw = np.frombuffer((DATA / "sur-2.sur").read_bytes(), "<i4", 563 * 484, 512).reshape(484, 563)
         np.testing.assert_allclose(heights, np.where(raw == 89120 - 2, np.nan, raw * 1e-10), rtol=1e-6)
-
-    def test_missing_points_are_filled_between_their_neighbours(self):
-        _, raw, _, _ = self.read(DATA / "sur-2.sur")
-        _, filled, _, _ = self.read(DATA / "sur-2.sur", "--fill")
-        there = ~np.isnan(raw)
-        np.testing.assert_array_equal(filled[there], raw[there])
-        self.assertLessEqual(filled[~there].max(), raw[there].max())
-        self.assertGreaterEqual(filled[~there].min(), raw[there].min())
-
-    @unittest.skipIf("RC_TEST_QUICK" in os.environ, "quick tests")
-    def test_solving_with_missing_points(self):
-        common = [DATA / "sur-2.sur", "--modulus", "1e9", "--pressure", "1e5", "--remove", "plane", "--quiet"]
-        self.assert_fails("solve", *common, says=["117 missing values of 272492", "--missing fill", "--missing exclude"])
-        for rule in ("fill", "exclude"):
-            self.solve(*common, "--missing", rule)
 
 
 if __name__ == "__main__":

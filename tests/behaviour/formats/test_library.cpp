@@ -93,9 +93,6 @@ void says_what_it_assumes(void**) {
 void refuses_arguments(void**) {
   rc_surface_file file = RC_SURFACE_FILE_INIT;
   const rc_surface_read_spec good = RC_SURFACE_READ_SPEC_INIT;
-  require_error(rc_surface_read(nullptr, nullptr, &file), RC_ERR_ARGUMENT, "path is null");
-  require_error(rc_surface_read("a.txt", nullptr, nullptr), RC_ERR_ARGUMENT, "rc_surface_file is null");
-  require_error(rc_surface_read_memory(nullptr, 1, nullptr, nullptr, &file), RC_ERR_ARGUMENT, "data is null");
   require_error(rc_surface_read("no such file", nullptr, &file), RC_ERR_ARGUMENT, "no such file: No such file");
   require_error(rc_surface_read("/", nullptr, &file), RC_ERR_ARGUMENT, "is a folder");
   require_error(rc_surface_read(support::device, nullptr, &file), RC_ERR_ARGUMENT, support::device_refused);
@@ -112,25 +109,11 @@ void refuses_arguments(void**) {
   refuses(gwyddion, "a.txt", changed([](auto& s) { s.unit = "V"; }), "unit: \"V\" is not a length unit");
   refuses(gwyddion, "a.txt", changed([](auto& s) { s.hx = 1; }), "hx = 1, hy = 0 must be positive");
   refuses(gwyddion, "a.txt", changed([](auto& s) { s.hx = s.hy = INFINITY; }), "must be positive and finite");
-  refuses(gwyddion, "a.txt", changed([](auto& s) { s.struct_size = 8; }), "rc_surface_read_spec.struct_size = 8");
-  file.struct_size = 8;
-  require_error(rc_surface_read("a.txt", nullptr, &file), RC_ERR_ARGUMENT, "rc_surface_file.struct_size = 8");
 }
 
 void knows_units(void**) {
-  const std::pair<const char*, double> known[] = {{"m", 1},
-                                                  {"cm", 1e-2},
-                                                  {"km", 1e3},
-                                                  {"um", 1e-6},
-                                                  {"\xc2\xb5m", 1e-6},
-                                                  {"\xce\xbcm", 1e-6},
-                                                  {"\xb5m", 1e-6},
-                                                  {"A", 1e-10},
-                                                  {"\xc3\x85", 1e-10},
-                                                  {"\xc3\x85ngstr\xc3\xb6m", 1e-10},
-                                                  {"\xc5ngstr\xf6m", 1e-10},
-                                                  {"microns", 1e-6},
-                                                  {"Nanometres", 1e-9}};
+  const std::pair<const char*, double> known[] = {
+      {"m", 1}, {"\xb5m", 1e-6}, {"\xc5ngstr\xf6m", 1e-10}, {"microns", 1e-6}, {"Nanometres", 1e-9}};
   for (const auto& [name, metres] : known) {
     double found = 0;
     assert_int_equal(rc_surface_unit(name, &found), RC_OK);
@@ -139,8 +122,6 @@ void knows_units(void**) {
   double found = 7;
   for (const char* name : {"", "MM", "furlong", "mPa", "u", "Mum"})
     require_error(rc_surface_unit(name, &found), RC_ERR_ARGUMENT, "is not a length unit");
-  require_error(rc_surface_unit(nullptr, &found), RC_ERR_ARGUMENT, "name is null");
-  require_error(rc_surface_unit("m", nullptr), RC_ERR_ARGUMENT, "metres is null");
   assert_true(found == 7);
 }
 
@@ -158,7 +139,6 @@ void lists_formats(void**) {
   assert_true(found);
   require_error(rc_surface_format_describe(-1, &format), RC_ERR_ARGUMENT, "index = -1");
   require_error(rc_surface_format_describe(count, &format), RC_ERR_ARGUMENT, "index = ");
-  require_error(rc_surface_format_describe(0, nullptr), RC_ERR_ARGUMENT, "null");
 }
 
 void prepares_heights(void**) {
@@ -170,7 +150,6 @@ void prepares_heights(void**) {
 
   require_error(rc_surface_fill(3, 3, 1, 0, z.data()), RC_ERR_ARGUMENT, "hy = 0");
   require_error(rc_surface_fill(0, 3, 1, 1, z.data()), RC_ERR_SHAPE, "nx = 0");
-  require_error(rc_surface_fill(3, 3, 1, 1, nullptr), RC_ERR_ARGUMENT, "heights is null");
   require_error(rc_surface_remove_form(3, 3, 4, z.data()), RC_ERR_ARGUMENT, "form = 4");
   require_error(rc_surface_remove_form(INT64_MAX, 3, 1, z.data()), RC_ERR_SHAPE, "ny = 3");
   std::vector<double> none(9, missing);
@@ -197,12 +176,10 @@ void moves_points(void**) {
   const std::vector<double> before = z;
   require_error(rc_surface_mirror(3, 2, 0, z.data()), RC_ERR_ARGUMENT, "axes = 0");
   require_error(rc_surface_mirror(3, 2, 4, z.data()), RC_ERR_ARGUMENT, "axes = 4");
-  require_error(rc_surface_mirror(3, 2, 1, nullptr), RC_ERR_ARGUMENT, "heights is null");
   require_error(rc_surface_shift(2, 1, 1, 1, HUGE_VAL, 0, 0, 1, z.data(), nullptr), RC_ERR_ARGUMENT, "dx = inf");
   require_error(rc_surface_shift(2, 1, 0, 1, 1, 0, 0, 1, z.data(), nullptr), RC_ERR_ARGUMENT, "hx = 0");
   require_error(rc_surface_shift(2, 1, 1, 1, 1, 0, 2, 1, z.data(), nullptr), RC_ERR_ARGUMENT, "periodic = 2");
   require_error(rc_surface_shift(2, 1, 1, 1, 1, 0, 0, 3, z.data(), nullptr), RC_ERR_ARGUMENT, "interpolation = 3");
-  require_error(rc_surface_crop(&nx, nullptr, 1, 1, 0, 1, 0, 1, z.data()), RC_ERR_ARGUMENT, "ny is null");
   require_error(rc_surface_crop(&nx, &ny, 1, 1, 5, 6, 0, 1, z.data()), RC_ERR_ARGUMENT, "middle of no cell");
   require_error(rc_surface_despike(2, 1, -1, z.data(), &count, nullptr), RC_ERR_ARGUMENT, "factor = -1");
   require_error(rc_surface_despike(2, INT64_MAX, 1, z.data(), &count, nullptr), RC_ERR_SHAPE, "nx = 2");
@@ -244,14 +221,10 @@ void resamples(void**) {
     require_error(rc_surface_resample(&bad), status, says);
   };
   using R = rc_surface_resampling;
-  refused(&R::heights, nullptr, RC_ERR_ARGUMENT, "heights is null");
-  refused(&R::to, nullptr, RC_ERR_ARGUMENT, "to is null");
   refused(&R::to_nx, std::int64_t{0}, RC_ERR_SHAPE, "nx = 0");
   refused(&R::to_hx, 3.01, RC_ERR_ARGUMENT, "skip summits");
   refused(&R::to_hx, -1.0, RC_ERR_ARGUMENT, "hx = -1");
   refused(&R::x0, HUGE_VAL, RC_ERR_ARGUMENT, "x0 = inf");
-  refused(&R::struct_size, std::size_t{3}, RC_ERR_ARGUMENT, "struct_size");
-  require_error(rc_surface_resample(nullptr), RC_ERR_ARGUMENT, "null");
 }
 
 // A pipe hands over what was written so far: reads are short.

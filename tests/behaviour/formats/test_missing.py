@@ -104,16 +104,6 @@ class Rules(ReaderTest):
             self.assertTrue(np.isfinite(gap[~missing]).all())
             self.assertGreaterEqual(gap[~missing].min(), -1e-6 * PRESS_LENGTH)
 
-    def test_excluding_is_exact_for_points_that_never_touch(self):
-        z = rough()
-        low = np.unravel_index(np.argsort(z.ravel())[:9], z.shape)  # out of contact anyway
-        _, whole, _, _ = self.answer(self.npy(z), "--pitch", H, "--tol", "1e-10")
-        self.assertTrue((whole[low] == 0).all())
-        gone = z.copy()
-        gone[low] = np.nan
-        _, p, _, _ = self.answer(self.npy(gone), "--pitch", H, "--missing", "exclude", "--tol", "1e-10")
-        np.testing.assert_allclose(p, whole, atol=1e-7 * whole.max())
-
     def test_flat_maps_are_told_from_tilted_ones(self):
         tilted = np.arange(400.0).reshape(20, 20)
         for z, says in ((np.ones((20, 20)), ": the map is flat: "), (tilted, "the map is flat after its plane is removed")):
@@ -126,10 +116,6 @@ class Rules(ReaderTest):
         self.assertIn("quadric removed, 1 missing point filled", done.stdout)
         given = json.loads((self.folder / "a.json").read_text())["input"]
         self.assertEqual((given["removed"], given["missing"], given["missing_rule"]), ("quadric", 1, "fill"))
-
-    def test_pictures_leave_excluded_points_out(self):
-        self.solve(self.npy(holes(rough(), (4, 7), (9, 9))), "--pitch", H, "--missing", "exclude", *PRESS, "--out", "out", "--quiet")
-        self.assertIn("contact-1.png", self.names("out"))
 
 
 PRESS_LENGTH = 1.5e-7

@@ -328,13 +328,6 @@ class Command(ReaderTest):
         names = [line.split()[0] for line in done.stdout.splitlines()]
         self.assertEqual(names, ["name", "gsf", "npy", "text", "xyz", "x3p", "sur", "sdf", "plu", "nc", "container"] + [name for name in ("hdf5", "tiff", "png") if name in names])  # a matter of the build
 
-    def test_format_option_and_its_errors(self):
-        press = ["--modulus", "1e9", "--approach", "1e-9"]
-        self.solve(self.file("a.bin", writers.plu(bumps(), HX, HY)), "--format", "plu", *press)
-        self.assert_fails("solve", "a.bin", *press, says=["a.bin", "unknown format", "give the format"])
-        self.assert_fails("solve", "a.bin", "--format", "pfu", *press, says=["--format", '"pfu"', "container"])
-        self.assert_fails("solve", "a.bin", "--format", "sur", *press, says=["a.bin", "DIGITAL SURF"])
-
 
 if __name__ == "__main__":
     reading.main()
