@@ -1,4 +1,5 @@
-// The mathematics a second time, without the library: plain sums over pairs of points, and closed forms for near offsets.
+// The mathematics a second time, without the library: plain sums over pairs of points, with the coefficients of the scenes'
+// oracle.
 #pragma once
 
 #include <string>
@@ -7,8 +8,8 @@
 
 namespace pairs {
 
-/** E* times the deflection at offset (x, y) from a cell hx x hy under unit pressure; offsets of some ten cells. */
-double coefficient(const std::string& kernel, double x, double y, double hx, double hy);
+/** E* times the deflection of the cell (ix, iy) under unit pressure on cell (0, 0) of a free half-space. */
+double coefficient(const std::string& kernel, std::int64_t ix, std::int64_t iy, double hx, double hy);
 
 /** n x n, row by row [length per pressure]. "auto" is love, spectral for periodic boundaries. */
 Field influence_matrix(const Problem& problem);
