@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <map>
 
 #include "draw.h"
 #include "support/registry.h"
@@ -66,6 +67,21 @@ pairs::Pair draw_pair(const Scene& scene, const rc_system& system) {
   return list.empty() ? pairs::automatic : random.one_of(list);
 }
 
+// Options of the solver, which are at their defaults in most scenes.
+pairs::Settings draw_solver_options(const Scene& scene, const std::string& solver) {
+  static const std::map<std::string, std::vector<pairs::Settings>> all{
+      {"nnls",
+       {{{"nnls.pivoting", "single"}},
+        {{"warmup", "gp"}, {"warmup.iterations", "50"}},
+        {{"nnls.pivoting", "single"}, {"warmup", "gp"}}}},
+      {"gp", {{{"gp.lipschitz", "frobenius"}}}},
+      {"admm", {{{"admm.relaxation", "1"}}, {{"admm.rho", "1"}}}},
+      {"haar-cg", {{{"haar-cg.products", "double"}}, {{"haar-cg.nested", "0"}}}}};
+  Random random(scene.seed, 101);
+  const auto found = all.find(solver);
+  return found == all.end() || scene.large() || !random.chance(0.4) ? pairs::Settings{} : random.one_of(found->second);
+}
+
 }  // namespace
 
 std::optional<pairs::Pair> Case::only;
@@ -75,6 +91,7 @@ Case::Case(std::uint64_t seed, bool reduced)
       system_(with_pointers(scene_)),
       h_(scene_),
       pair_(only && able(*only, scene_, system_, control_of(scene_)) ? *only : draw_pair(scene_, system_)),
+      solver_options_(draw_solver_options(scene_, pair_.solver)),
       exact_(scene_.steps.size()),
       tied_(scene_.steps.size()) {
   const bool cmr = pair_.solver == "cmr";
@@ -93,8 +110,16 @@ Case::Case(std::uint64_t seed, bool reduced)
   answers_ = solve_all(open().get());
 }
 
+std::string Case::words() const {
+  std::string words = scene_.words + ", " + pair_.name();
+  for (const auto& [key, value] : solver_options_) words += ", " + key + " = " + value;
+  return words;
+}
+
 pairs::Options Case::options(const pairs::Settings& changed) const {
   pairs::Settings all = scene_.settings;
+  const bool own = std::ranges::find(changed, "solver", &std::pair<std::string, std::string>::first) == changed.end();
+  if (own) all.insert(all.end(), solver_options_.begin(), solver_options_.end());
   all.insert(all.end(), changed.begin(), changed.end());
   return pairs::make_options(pair_, scene_.kernel, all);
 }

@@ -35,7 +35,7 @@ class Case {
   const rc_system& system() const { return system_; }
   const pairs::Pair& pair() const { return pair_; }
   /** The name of the case in a message of failure. */
-  std::string words() const { return scene_.words + ", " + pair_.name(); }
+  std::string words() const;
 
   pairs::Options options(const pairs::Settings& changed = {}) const;
   Handle open(const pairs::Settings& changed = {}) const;
@@ -58,6 +58,7 @@ class Case {
   rc_system system_;
   Influence h_;
   pairs::Pair pair_;
+  pairs::Settings solver_options_;
   std::vector<StepAnswer> answers_;
   mutable std::vector<std::optional<Exact>> exact_, tied_;
 };

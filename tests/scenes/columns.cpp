@@ -116,10 +116,11 @@ std::int32_t keep(std::int64_t step, const rc_result* result, void* user) {
 }  // namespace
 
 rc_status follow(const Case& c, rc_contact* contact, const Field& targets, const Surface& surface, Columns& columns,
-                 Pressures& pressures, std::size_t cut) {
+                 Pressures& pressures, std::size_t cut, bool virgin) {
   rc_history history = RC_HISTORY_INIT;
   history.control = c.scene().control;
   history.warm_start = c.scene().steps.front().warm;
+  history.virgin = virgin;
   history.n = static_cast<std::int64_t>(targets.size());
   history.targets = RC_IN(targets.data());
   history.undeformed_gap = RC_IN(surface.gap.data());

@@ -39,6 +39,6 @@ struct Pressures {
 
 /** By rc_contact_solve_history, with all columns. cut: fn ends it after so many steps, and another call goes on there. */
 rc_status follow(const Case& c, rc_contact* contact, const Field& targets, const Surface& surface, Columns& columns,
-                 Pressures& pressures, std::size_t cut = 0);
+                 Pressures& pressures, std::size_t cut = 0, bool virgin = false);
 
 }  // namespace scenes

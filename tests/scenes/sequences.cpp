@@ -104,34 +104,49 @@ class AsHistory final : public Property {
   rc_status status_ = RC_ERR_INTERNAL;
 };
 
-// Contacts on the scene's surfaces, each with the targets in another order.
+// Contacts on the scene's surfaces, each with the targets in another order; its arrays in doubles or floats, with or without room
+// between contacts, or one for all of them.
 class AsBatch final : public Property {
  public:
   std::string ask(const Case& c) override {
     const Scene& scene = c.scene();
     if (!all_certified(c)) return "not certified";
+    Random random(scene.seed, 560);
     const std::size_t n = scene.points(), steps = scene.steps.size();
     const bool masks = std::ranges::any_of(scene.surfaces, [](const Surface& s) { return !s.mask.empty(); });
+    const bool virgin = scene.hard() && random.chance(0.5);
     all_ = Columns(contacts * steps);
-    Random random(scene.seed, 551);
-    if (random.chance(0.3)) all_.leave_out(random);
+    if (!virgin && random.chance(0.3)) all_.leave_out(random);
     all_.wanted[Columns::mean_gap] = true;  // so that the gap is computed at all points, as in a step that wants it
+    const bool one_surface = scene.surfaces.size() == 1 && random.chance(0.5), floats = random.chance(0.25);
+    const std::size_t room = random.chance(0.5) ? static_cast<std::size_t>(random.between(1, 9)) : 0;
+    const auto put = [room](auto& all, const auto& values, auto between) {
+      all.insert(all.end(), values.begin(), values.end());
+      all.insert(all.end(), room, between);
+    };
     Field gaps, targets;
     std::vector<std::uint8_t> mask;
-    std::vector<Surface> surfaces;
     for (std::size_t i = 0; i < contacts; ++i) {
-      surfaces.push_back(scene.surfaces[i % scene.surfaces.size()]);
-      Surface& surface = surfaces.back();
+      Surface surface = scene.surfaces[i % scene.surfaces.size()];
       if (masks && surface.mask.empty()) surface.mask.assign(n, 1);
-      gaps.insert(gaps.end(), surface.gap.begin(), surface.gap.end());
-      mask.insert(mask.end(), surface.mask.begin(), surface.mask.end());
+      for (double& gap : surface.gap) gap = floats ? static_cast<double>(static_cast<float>(gap)) : gap;
+      put(gaps, surface.gap, std::numeric_limits<double>::quiet_NaN());
+      put(mask, surface.mask, std::uint8_t{0});
       const Field own = targets_of(scene, i);
-      targets.insert(targets.end(), own.begin(), own.end());
+      put(targets, own, std::numeric_limits<double>::quiet_NaN());
       single_.emplace_back(steps);
+      if (virgin) {
+        Pressures kept{n, {}, {}, {}};
+        const Handle contact = c.open();
+        if (follow(c, contact.get(), own, surface, single_.back(), kept, 0, true) != RC_OK) return "not certified if virgin";
+        p_single_.push_back(kept.steps.back());
+        continue;
+      }
       const Handle contact = c.open(all_.options(scene));
       StepAnswer answer;
       for (std::size_t k = 0; k < steps; ++k) {
         rc_step step = c.step({own[k], i % scene.surfaces.size(), scene.steps.front().warm, {}});
+        step.undeformed_gap = RC_IN(surface.gap.data());
         if (masks) step.mask = RC_IN(surface.mask.data());
         answer = c.solve(contact.get(), step);
         if (answer.status != RC_OK) return "the steps in another order are not certified";
@@ -139,18 +154,25 @@ class AsBatch final : public Property {
       }
       p_single_.push_back(answer.p);
     }
+    const std::vector<float> in_floats(gaps.begin(), gaps.end());
     Field p(contacts * n);
     rc_batch batch = RC_BATCH_INIT;
     batch.control = scene.control;
     batch.warm_start = scene.steps.front().warm;
+    batch.virgin = virgin;
     batch.n = contacts;
     batch.steps = static_cast<std::int64_t>(steps);
     batch.targets = RC_IN(targets.data());
+    batch.target_stride = one_surface && steps == 1 ? std::int64_t{RC_BATCH_SHARED} : static_cast<std::int64_t>(steps + room);
     batch.undeformed_gap = RC_IN(gaps.data());
+    if (floats) batch.undeformed_gap = {in_floats.data(), RC_SINGLE, 0, nullptr};
     batch.mask = RC_IN(masks ? mask.data() : nullptr);
+    batch.undeformed_gap_stride = batch.mask_stride =
+        one_surface ? std::int64_t{RC_BATCH_SHARED} : static_cast<std::int64_t>(n + room);
     batch.p = RC_OUT(p.data());
     batch.columns = all_.request();
-    status_ = rc_batch_solve(&c.system(), c.options().get(), &batch);
+    const pairs::Settings threads{{"threads", std::to_string(random.between(1, 5))}};
+    status_ = rc_batch_solve(&c.system(), c.options(threads).get(), &batch);
     message_ = rc_last_error();
     for (std::size_t i = 0; i < contacts; ++i)
       p_.emplace_back(p.begin() + static_cast<std::ptrdiff_t>(i * n), p.begin() + static_cast<std::ptrdiff_t>((i + 1) * n));
@@ -319,10 +341,49 @@ class Refused final : public Property {
   rc_status expected_ = RC_ERR_INTERNAL;
 };
 
+// A hardness that is never reached changes no bit of an elastic answer, and no count.
+class NeverReached final : public Property {
+ public:
+  std::string ask(const Case& c) override {
+    if (c.scene().hard()) return "a hardness";
+    if (c.scene().semi_periodic()) return "semi-periodic";
+    if (c.answers().front().status != RC_OK) return "not certified";
+    elastic_ = c.answers().front();
+    rc_system hard = c.system();
+    hard.hardness = c.scene().seed % 2 == 0 ? HUGE_VAL : 1e4 * elastic_.result.max_pressure + 1e-30;
+    rc_contact* made = nullptr;
+    if (rc_contact_create(&hard, c.options().get(), &made) != RC_OK) return "refused";
+    const Handle contact(made);
+    hard_ = c.solve(contact.get(), c.scene().steps.front());
+    const auto by = [](const rc_result& r) { return std::string(r.solver) + r.backend; };
+    return by(hard_.result) == by(elastic_.result) ? "" : "auto takes another pair";
+  }
+  Verdict judge(const Case&) const override {
+    need(hard_.status == RC_OK, std::string("with a hardness: ") + rc_status_name(hard_.status) + ": " + hard_.message);
+    pairs::check_same(hard_.p, elastic_.p, "p");
+    pairs::check_same(hard_.gap, elastic_.gap, "gap");
+    Columns elastic(1), hard(1);
+    elastic.take(0, elastic_);
+    hard.take(0, hard_);
+    elastic.need_same(hard, 0, "with a hardness");
+    const rc_result& r = hard_.result;
+    need(r.capped == 0 && r.plastic_volume == 0 && r.proven_capped <= 0, "points are at a hardness that is never reached");
+    return Verdict::held;
+  }
+  bool spoil(const Case&, Random&) override {
+    double& value = hard_.p.front();
+    value = std::nextafter(value, 1e300);
+    return true;
+  }
+
+ private:
+  StepAnswer elastic_, hard_;
+};
+
 constexpr std::array kinds_of_sequences{
     Kind{"history", 2, 0, 0.6, 0, made<AsHistory>},   Kind{"batch", 3, 1, 0.8, 0, made<AsBatch>},
     Kind{"restored", 3, 2, 0.4, 0, made<AsRestored>}, Kind{"again", 4, 1, 0.9, 0, made<AsAgain>},
-    Kind{"refused", 4, 3, 0.9, 0, made<Refused>},
+    Kind{"refused", 4, 3, 0.9, 0, made<Refused>},     Kind{"never_reached", 3, 0, 0.3, 0, made<NeverReached>},
 };
 
 }  // namespace

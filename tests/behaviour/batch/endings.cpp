@@ -2,9 +2,11 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <new>
 #include <thread>
 
 #include "study.h"
+#include "support/failing_new.h"
 
 namespace batch {
 
@@ -77,43 +79,6 @@ void an_uncertified_step_is_written_and_ends_its_contact() {
   for (const int threads : {1, 2}) check_outcome(study.solve(threads), RC_ERR_ARGUMENT, 3, 1, 2);
 }
 
-void fn_ends_the_batch() {
-  for (const int threads : {1, 3}) {
-    Study study = rough_study(8, 2);
-    const Outcome sound = study.solve(1);
-    std::atomic<std::int64_t> calls{0};
-    std::atomic<bool> ended{false};
-    study.ends = [&](std::int64_t contact, std::int64_t step, const rc_result&) {
-      ++calls;
-      const bool end = contact == 2 && step == 0;
-      if (end) ended = true;
-      return end;
-    };
-    const Outcome outcome = study.solve(threads);
-    check(outcome.status == RC_STOP_CANCELLED && outcome.written == 8, outcome.message);
-    check(says(outcome, "RC_STOP_CANCELLED") && says(outcome, "rc_batch.fn ended the batch"), outcome.message);
-    check_step(outcome, study, 2, 0, RC_OK, true);
-    check_step(outcome, study, 2, 1, RC_STOP_CANCELLED, false);
-    std::int64_t finished = 0, certified_steps = 0;
-    for (std::int64_t i = 0; i < 8; ++i) {
-      finished += outcome.statuses[static_cast<std::size_t>(2 * i + 1)] == RC_OK;
-      for (std::int64_t k = 0; k < 2; ++k) {
-        const auto at = static_cast<std::size_t>(2 * i + k);
-        if (outcome.statuses[at] != RC_OK) {
-          check_equal(outcome.statuses[at], RC_STOP_CANCELLED, "status");
-          continue;
-        }
-        ++certified_steps;
-        check(outcome.load[at] == sound.load[at], "what was finished does not stay");
-      }
-    }
-    check_equal(outcome.certified, finished, "certified");
-    check(calls <= certified_steps, "fn was called for a step without an answer");
-    check(threads > 1 || (finished == 2 && calls == 5), "one thread: contacts 0 and 1, and a step of contact 2");
-    check(ended, "fn");
-  }
-}
-
 void fn_ends_it_after_the_last_step() {
   Study study = rough_study(3, 2);
   study.ends = [](std::int64_t contact, std::int64_t step, const rc_result&) { return contact == 2 && step == 1; };
@@ -150,29 +115,34 @@ void progress_hears_of_every_step() {
   }
 }
 
-void progress_ends_the_batch() {
-  for (const int threads : {1, 3}) {
-    const Study study = rough_study(8, 2);
-    const Outcome sound = study.solve(1);
-    Heard heard;
-    heard.end_at = 5;
-    const Outcome outcome = study.solve(threads, [&](rc_batch& batch) {
-      batch.progress = hear;
-      batch.user = &heard;
-    });
-    check(outcome.status == RC_STOP_CANCELLED && outcome.written == 8, outcome.message);
-    check(says(outcome, "rc_batch.progress ended the batch"), outcome.message);
-    std::int64_t certified_steps = 0;
-    for (std::size_t at = 0; at < outcome.statuses.size(); ++at) {
-      if (outcome.statuses[at] != RC_OK) {
-        check_equal(outcome.statuses[at], RC_STOP_CANCELLED, "status");
-        continue;
-      }
-      ++certified_steps;
-      check(outcome.load[at] == sound.load[at], "what was finished does not stay");
+// After five steps, by fn or by progress: finished steps stay, and the others have the status.
+void a_callback_ends_the_batch() {
+  for (const bool by_progress : {false, true})
+    for (const int threads : {1, 3}) {
+      Study study = rough_study(8, 2);
+      const Outcome sound = study.solve(1);
+      Heard heard;
+      std::atomic<std::int64_t> seen{0};
+      heard.end_at = 5;
+      if (!by_progress) study.ends = [&](std::int64_t, std::int64_t, const rc_result&) { return ++seen == 5; };
+      const Outcome outcome = study.solve(threads, [&](rc_batch& batch) {
+        if (by_progress) batch.progress = hear, batch.user = &heard;
+      });
+      check(outcome.status == RC_STOP_CANCELLED && outcome.written == 8, outcome.message);
+      check(says(outcome, by_progress ? "rc_batch.progress ended the batch" : "rc_batch.fn ended the batch"), outcome.message);
+      std::int64_t steps = 0, contacts = 0;
+      for (std::int64_t i = 0; i < 8; ++i)
+        for (std::int64_t k = 0; k < 2; ++k) {
+          const auto at = static_cast<std::size_t>(2 * i + k);
+          const bool answer = outcome.statuses[at] == RC_OK;
+          check_step(outcome, study, i, k, answer ? RC_OK : RC_STOP_CANCELLED, answer);
+          check(!answer || outcome.load[at] == sound.load[at], "what was finished does not stay");
+          steps += answer;
+          contacts += answer && k == 1;
+        }
+      check_equal(outcome.certified, contacts, "certified");
+      check(steps >= 5 && steps < 5 + threads, std::to_string(steps) + " steps");
     }
-    check(certified_steps >= 5 && certified_steps < 5 + threads, std::to_string(certified_steps) + " steps");
-  }
 }
 
 void the_time_limit_is_the_batchs() {
@@ -207,15 +177,52 @@ void a_running_solve_is_stopped() {
   check_step(outcome, study, 0, 0, RC_STOP_TIME, true);
 }
 
+// Wherever an allocation fails, the call is refused or the contact at hand has that status, and the others are solved.
+void memory_runs_out_for_one_contact_at_most() {
+  Study study = rough_study(3, 1, RC_CONTROL_APPROACH, RC_BOUNDARY_FREE, 12, 9);
+  study.pair = {"polonsky-keer", "dense"};
+  const Outcome sound = study.solve(1);
+  check_outcome(sound, RC_OK, 3, 3, -1);
+  bool refused_once = false, one_once = false;
+  for (std::int64_t countdown = 1; countdown < 3000; countdown += countdown < 40 ? 1 : 7) {
+    Outcome outcome;
+    bool own = false;
+    try {
+      outcome = study.solve(1, [&](rc_batch&) { support::fail_allocation(countdown); });
+    } catch (const std::bad_alloc&) {
+      own = true;  // the copy of the message
+    }
+    const bool failed = support::allocation_failed();
+    support::fail_allocation(0);
+    if (!failed) break;
+    if (own) continue;
+    if (outcome.status == RC_OK) {  // memory that was to be lent after a step is kept or freed instead
+      for (std::size_t i = 0; i < 3; ++i) check(outcome.load[i] == sound.load[i], "load where nothing was refused");
+      continue;
+    }
+    check_equal(outcome.status, RC_ERR_MEMORY, outcome.message);
+    if (outcome.written == 0) {
+      refused_once = true;
+      continue;
+    }
+    check_equal(outcome.certified, 2, "certified");
+    one_once = true;
+    for (std::size_t i = 0; i < 3; ++i)
+      check(static_cast<std::int64_t>(i) == outcome.first ? std::isnan(outcome.load[i]) : outcome.load[i] == sound.load[i],
+            "load");
+  }
+  check(refused_once && one_once, "allocations failed in other places than expected");
+}
+
 }  // namespace
 
 std::vector<Test> ending_tests() {
   return {{"a_failing_contact_stops_no_other", a_failing_contact_stops_no_other},
           {"an_uncertified_step_is_written_and_ends_its_contact", an_uncertified_step_is_written_and_ends_its_contact},
-          {"fn_ends_the_batch", fn_ends_the_batch},
+          {"memory_runs_out_for_one_contact_at_most", memory_runs_out_for_one_contact_at_most},
           {"fn_ends_it_after_the_last_step", fn_ends_it_after_the_last_step},
           {"progress_hears_of_every_step", progress_hears_of_every_step},
-          {"progress_ends_the_batch", progress_ends_the_batch},
+          {"a_callback_ends_the_batch", a_callback_ends_the_batch},
           {"the_time_limit_is_the_batchs", the_time_limit_is_the_batchs},
           {"a_running_solve_is_stopped", a_running_solve_is_stopped}};
 }

@@ -1,5 +1,6 @@
 #include "study.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "support/surfaces.h"
@@ -14,18 +15,32 @@ std::int32_t see(std::int64_t contact, std::int64_t step, const rc_result* resul
   return static_cast<const Study*>(user)->ends(contact, step, *result);
 }
 
+template <class Values> Values part_of(const Values& all, std::int64_t i, std::size_t size) {
+  const auto begin = all.begin() + i * static_cast<std::ptrdiff_t>(size);
+  return all.empty() ? Values() : Values(begin, begin + static_cast<std::ptrdiff_t>(size));
+}
+
 }  // namespace
 
-Problem Study::single(std::int64_t i) const {
-  Problem result = problem;
-  const auto slice = [&](const auto& values) {
-    using Values = std::decay_t<decltype(values)>;
-    if (values.empty()) return Values();
-    const auto begin = values.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(i) * points());
-    return Values(begin, begin + static_cast<std::ptrdiff_t>(points()));
-  };
-  result.gap = slice(gaps);
-  result.mask = slice(masks);
+void Outcome::append(const Outcome& more) {
+  status = more.status;
+  written = std::max<std::int64_t>(written, 0) + more.written;
+  certified = std::max<std::int64_t>(certified, 0) + more.certified;
+  first = more.first;
+  const auto add = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+  for (const auto values :
+       {&Outcome::load, &Outcome::approach, &Outcome::contact_area, &Outcome::stiffness, &Outcome::certificate, &Outcome::p})
+    add(this->*values, more.*values);
+  for (const auto counts : {&Outcome::iterations, &Outcome::products}) add(this->*counts, more.*counts);
+  add(statuses, more.statuses);
+}
+
+Study Study::alone(std::int64_t i) const {
+  Study result = *this;
+  result.n = 1;
+  result.gaps = part_of(gaps, i, points());
+  result.masks = part_of(masks, i, points());
+  result.targets = part_of(targets, i, static_cast<std::size_t>(steps));
   return result;
 }
 

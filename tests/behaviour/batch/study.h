@@ -23,6 +23,9 @@ struct Outcome {
   Field load, approach, contact_area, stiffness, certificate, p;
   std::vector<rc_status> statuses;
   std::vector<std::int64_t> iterations, products;
+
+  // The outcome of one more contact, which is certified.
+  void append(const Outcome& more);
 };
 
 // Rough surfaces, each with a history of its own.
@@ -40,8 +43,8 @@ struct Study {
   std::size_t points() const { return problem.points(); }
   double* gap(std::int64_t i) { return gaps.data() + static_cast<std::size_t>(i) * points(); }
   double& target(std::int64_t i, std::int64_t k) { return targets[static_cast<std::size_t>(i * steps + k)]; }
-  // The first problem of contact i, for a contact of its own.
-  pairs::Problem single(std::int64_t i) const;
+  // Of contact i.
+  Study alone(std::int64_t i) const;
   Outcome solve(int threads, const std::function<void(rc_batch&)>& change = {}) const;
 };
 
@@ -53,7 +56,6 @@ void check_same(const Outcome& a, const Outcome& b);
 void check_outcome(const Outcome& outcome, rc_status status, std::int64_t written, std::int64_t certified, std::int64_t first);
 
 std::vector<pairs::Test> against_single_tests();
-std::vector<pairs::Test> refusal_tests();
 std::vector<pairs::Test> ending_tests();
 
 }  // namespace batch

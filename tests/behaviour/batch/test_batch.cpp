@@ -14,7 +14,7 @@ std::string part_of(const std::string& test) { return test.ends_with("/coarse_gr
 int main(int argc, char** argv) {
   std::map<std::string, std::vector<pairs::Test>> parts;
   std::vector<pairs::Test> tests;
-  for (const auto& some : {batch::against_single_tests(), batch::refusal_tests(), batch::ending_tests()})
+  for (const auto& some : {batch::against_single_tests(), batch::ending_tests()})
     for (const pairs::Test& test : some) {
       tests.push_back(test);
       parts[part_of(test.name)].push_back(test);
