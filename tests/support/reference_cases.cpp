@@ -97,4 +97,21 @@ Field stored_points(const ReferenceCase& reference, const Field& values) {
   return result;
 }
 
+// NumPy's format 1.0: ten bytes, of which the last two are the length of a header, then the values.
+Field read_npy(const std::string& name, std::size_t expected) {
+  std::ifstream in(name, std::ios::binary);
+  char head[10] = {};
+  in.read(head, sizeof head);
+  const int length = static_cast<unsigned char>(head[8]) + 256 * static_cast<unsigned char>(head[9]);
+  std::string header(static_cast<std::size_t>(length), ' ');
+  in.read(header.data(), length);
+  check(static_cast<bool>(in) && header.find("'<f8'") != std::string::npos &&
+            header.find("'fortran_order': False") != std::string::npos,
+        name + " is not an array of doubles");
+  Field values(expected);
+  in.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(expected * sizeof(double)));
+  check(static_cast<bool>(in) && in.peek() == std::ifstream::traits_type::eof(), name + " has another length");
+  return values;
+}
+
 }  // namespace pairs

@@ -35,4 +35,7 @@ ReferenceCases read_reference_cases();
 /** The values at the points of the stored case, row by row. */
 Field stored_points(const ReferenceCase& reference, const Field& values);
 
+/** The doubles of a .npy file, row by row. */
+Field read_npy(const std::string& file, std::size_t expected);
+
 }  // namespace pairs

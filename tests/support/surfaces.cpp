@@ -42,6 +42,15 @@ Problem rough_problem(std::int64_t nx, std::int64_t ny, std::int32_t boundary, d
   return problem;
 }
 
+Problem rugged_problem(std::int64_t nx, std::int64_t ny, double depth, std::int32_t boundary) {
+  Problem problem = rough_problem(nx, ny, boundary);
+  std::mt19937 random(5);
+  for (double& gap : problem.gap) gap += 1e-6 * static_cast<double>(random() % 100000);
+  problem.target =
+      problem.lowest_gap() + depth * (sum(problem.gap) / static_cast<double>(problem.points()) - problem.lowest_gap());
+  return problem;
+}
+
 Field paraboloid(std::int64_t nx, std::int64_t ny, double h, double cx, double cy, double radius) {
   Field gap;
   for (std::int64_t iy = 0; iy < ny; ++iy)

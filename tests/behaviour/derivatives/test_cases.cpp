@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "calls.h"
-#include "support/registry.h"
+#include "support/reference_cases.h"
 
 namespace pairs {
 
@@ -13,21 +13,6 @@ namespace {
 using nlohmann::json;
 
 const std::string folder = RC_TEST_DATA "/cases/capped/";
-
-// Doubles of a .npy file, version 1, in C order.
-Field read_npy(const std::string& name, std::size_t expected) {
-  std::ifstream in(folder + name, std::ios::binary);
-  char head[10];
-  check(static_cast<bool>(in.read(head, sizeof head)) && std::string(head, 8) == std::string("\x93NUMPY\x01\x00", 8),
-        name + " is no .npy file of version 1");
-  std::string header(static_cast<unsigned char>(head[8]) + 256u * static_cast<unsigned char>(head[9]), ' ');
-  in.read(header.data(), static_cast<std::streamsize>(header.size()));
-  check(header.find("'<f8'") != std::string::npos && header.find("False") != std::string::npos, name + " has another layout");
-  Field values(expected);
-  in.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(expected * sizeof(double)));
-  check(static_cast<bool>(in) && in.peek() == std::ifstream::traits_type::eof(), name + " has another length");
-  return values;
-}
 
 struct Case {
   Problem problem;
@@ -47,7 +32,7 @@ Case read_case(const json& entry) {
   problem.system.modulus = entry["modulus"];
   problem.kernel = entry["kernel"];
   problem.target = entry["steps"][0]["approach"];
-  const auto read = [&](const char* what) { return read_npy(name + "_" + what + ".npy", problem.points()); };
+  const auto read = [&](const char* what) { return read_npy(folder + name + "_" + what + ".npy", problem.points()); };
   problem.gap = read("gap");
   result.cotangents.p = read("Jp");
   result.cotangents.gap = read("Jg");

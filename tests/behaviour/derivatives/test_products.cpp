@@ -8,16 +8,6 @@ namespace pairs {
 
 namespace {
 
-// Waves with noise on every cell, pressed in by a multiple of the mean gap.
-Problem rugged(std::int64_t side, double depth, std::int32_t boundary) {
-  Problem problem = rough_problem(side, side, boundary);
-  std::mt19937 random(5);
-  for (double& gap : problem.gap) gap += 1e-6 * static_cast<double>(random() % 100000);
-  problem.target =
-      problem.lowest_gap() + depth * (sum(problem.gap) / static_cast<double>(problem.points()) - problem.lowest_gap());
-  return problem;
-}
-
 void check_products(const Problem& problem) {
   const Contact contact(problem, {"haar-cg", "fft"}, {{RC_OPT_TOL, "1e-8"}});
   const Answer answer = contact.solve(problem);
@@ -43,7 +33,7 @@ void check_products(const Problem& problem) {
 void a_gradient_takes_few_products() {
   for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC})
     for (const double depth : {0.3, 0.9}) {
-      const Problem problem = rugged(128, depth, boundary);
+      const Problem problem = rugged_problem(128, 128, depth, boundary);
       check_products(problem);
       check_products(at_load(problem, solved(problem, {"haar-cg", "fft"}).result.load));
     }

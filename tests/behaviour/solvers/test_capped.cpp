@@ -1,5 +1,4 @@
-// haar-cg under a hardness: rough surfaces from few points at it to nearly all, in about as many products as without it, and
-// the same bits for any number of threads.
+// haar-cg under a hardness: rough surfaces from few points at it to nearly all, in about as many products as without it.
 #include <roughcontact/surface.h>
 
 #include <algorithm>
@@ -61,31 +60,6 @@ void products_are_those_of_elastic_contacts() {
     }
 }
 
-void threads_do_not_change_a_bit() {
-  for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC})
-    for (const char* backend : {"fft", "split"})
-      for (const bool by_load : {true, false}) {
-        const Pair pair{"haar-cg", backend};
-        Problem problem = capped(rough(side, side + 3, boundary, 0.02), hardness);
-        if (!obstacle(pair, problem.system, problem.control).empty()) continue;
-        if (!by_load) {
-          problem.target = solved(problem, haar, settings).result.approach;
-          problem.control = RC_CONTROL_APPROACH;
-        }
-        const auto with = [&](const char* threads) {
-          return solved(problem, pair, {{RC_OPT_TOL, "1e-8"}, {RC_OPT_THREADS, threads}});
-        };
-        const Answer alone = with("1");
-        check(alone.result.capped > 0, "no point is at the hardness");
-        for (const char* threads : {"2", "3"}) {
-          const Answer shared = with(threads);
-          check_same(shared.p, alone.p, "pressures");
-          check_same(shared.gap, alone.gap, "gap");
-          check_equal(shared.result.products, alone.result.products, "products");
-        }
-      }
-}
-
 // Polonsky & Keer's method takes its steps on the points below the hardness alone.
 void half_of_the_contact_at_the_hardness_by_polonsky_and_keer() {
   const Pair keer{"polonsky-keer", "fft"};
@@ -110,18 +84,6 @@ void half_of_the_contact_at_the_hardness_by_polonsky_and_keer() {
     }
 }
 
-// The load that the hardness on every point just bears, and a little less.
-void all_points_at_the_hardness() {
-  for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC})
-    for (const double share : {1.0, 1 - 1e-6}) {
-      const Problem problem = capped(rough(side, side, boundary, share * hardness), hardness);
-      const Answer answer = solved(problem, haar, settings);
-      check_near(answer.result.load, problem.target, 1e-8 * problem.target, "load");
-      report(std::to_string(answer.result.capped) + " of " + std::to_string(answer.result.points) + " points at the hardness, " +
-             std::to_string(answer.result.products) + " products");
-    }
-}
-
 }  // namespace
 
 }  // namespace pairs
@@ -131,8 +93,6 @@ int main(int argc, char** argv) {
   return run_group(
       "solvers.capped",
       {{"products_are_those_of_elastic_contacts", products_are_those_of_elastic_contacts},
-       {"threads_do_not_change_a_bit", threads_do_not_change_a_bit},
-       {"half_of_the_contact_at_the_hardness_by_polonsky_and_keer", half_of_the_contact_at_the_hardness_by_polonsky_and_keer},
-       {"all_points_at_the_hardness", all_points_at_the_hardness}},
+       {"half_of_the_contact_at_the_hardness_by_polonsky_and_keer", half_of_the_contact_at_the_hardness_by_polonsky_and_keer}},
       argc, argv);
 }

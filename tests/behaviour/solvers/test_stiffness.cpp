@@ -1,6 +1,4 @@
 // The stiffness costs few products and is right to ten digits, for every operator that multiplies but cannot factor.
-#include <random>
-
 #include "support/contact.h"
 #include "support/registry.h"
 #include "support/surfaces.h"
@@ -10,16 +8,6 @@ namespace pairs {
 namespace {
 
 constexpr std::int32_t boundaries[] = {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC};
-
-// Waves with noise on every cell, pressed in by a multiple of the mean gap.
-Problem rugged(std::int64_t nx, std::int64_t ny, double depth, std::int32_t boundary) {
-  Problem problem = rough_problem(nx, ny, boundary);
-  std::mt19937 random(5);
-  for (double& gap : problem.gap) gap += 1e-6 * static_cast<double>(random() % 100000);
-  problem.target =
-      problem.lowest_gap() + depth * (sum(problem.gap) / static_cast<double>(problem.points()) - problem.lowest_gap());
-  return problem;
-}
 
 // At most half of those of the contact.
 void check_extra_products(const Problem& problem, const Pair& pair) {
@@ -35,16 +23,16 @@ void check_extra_products(const Problem& problem, const Pair& pair) {
 void a_stiffness_takes_few_products() {
   for (const std::int32_t boundary : boundaries)
     for (const double depth : {0.3, 0.9}) {
-      const Problem problem = rugged(256, 256, depth, boundary);
+      const Problem problem = rugged_problem(256, 256, depth, boundary);
       check_extra_products(problem, {"haar-cg", "fft"});
       check_extra_products(at_load(problem, solved(problem, {"haar-cg", "fft"}).result.load), {"haar-cg", "fft"});
     }
-  check_extra_products(rugged(256, 256, 0.3, RC_BOUNDARY_FREE), {"haar-cg", "split"});
+  check_extra_products(rugged_problem(256, 256, 0.3, RC_BOUNDARY_FREE), {"haar-cg", "split"});
 }
 
 void a_warm_step_stays_cheap() {
   for (const std::int32_t boundary : boundaries) {
-    Problem problem = rugged(64, 64, 0.5, boundary);
+    Problem problem = rugged_problem(64, 64, 0.5, boundary);
     std::int64_t products[2];
     for (const int with : {0, 1}) {
       Contact contact(problem, {"haar-cg", "fft"}, {{RC_OPT_TOL, "1e-8"}, {RC_OPT_STIFFNESS, std::to_string(with)}});
@@ -62,7 +50,7 @@ void a_warm_step_stays_cheap() {
 void a_stiffness_is_right_to_the_tolerance() {
   for (const std::int32_t boundary : boundaries)
     for (const double depth : {0.1, 0.5, 0.9, 0.99}) {
-      const Problem problem = rugged(48, 36, depth, boundary);
+      const Problem problem = rugged_problem(48, 36, depth, boundary);
       const Settings settings = {{RC_OPT_STIFFNESS, "1"}, {RC_OPT_TOL, "1e-9"}};
       const double exact = solved(problem, {"nnls", "dense"}, settings).result.stiffness;
       for (const char* backend : {"fft", "split"}) {

@@ -1,6 +1,7 @@
 // Greedy elimination: Example 1 of Bemporad & Paggi (2015), which kernels it fails on, why, and that no failure passes for an
 // answer.
 #include <algorithm>
+#include <cstdio>
 #include <fstream>
 #include <sstream>
 
@@ -86,20 +87,56 @@ Problem with_penetration(const Field& u, std::int64_t side, const std::string& k
   return problem;
 }
 
+// The points that overlap and the deepest of them are those of the note.
+void check_note(const Problem& problem, const Answer& answer) {
+  long long points = 0;
+  double worst = 0, deepest = 0;
+  check(std::sscanf(answer.result.note, "greedy: %lld points overlap, worst w = %lf", &points, &worst) == 2,
+        std::string("note: ") + answer.result.note);
+  const double depth = -problem.lowest_gap();
+  for (const double gap : answer.gap) {
+    points -= gap < -1e-12 * depth;
+    deepest = std::max(deepest, -gap / depth);
+  }
+  check_equal(points, 0, "points of the note that do not overlap");
+  check_near(-worst, deepest, 0.06 * deepest, "the worst overlap, two digits");
+  check(answer.result.kkt_dual > 1e-6, "kkt_dual does not show it: " + text(answer.result.kkt_dual));
+}
+
 void stored_draws_fail_with_greedy_alone() {
   for (const Field& u : stored_draws()) {
     const Problem problem = with_penetration(u, 10, "eq9");
     const Answer truth = truth_of(problem);
-    for (const std::string& solver : solvers_on("dense", problem)) {
-      const Answer answer = solve(problem, {solver, "dense"}, {{"tol", "1e-9"}, {"max_iter", "100000"}, {"greedy.repair", "0"}});
-      check_status(answer, solver == "greedy" ? RC_UNCERTIFIED : RC_OK, solver);
-      if (solver != "greedy") check_near(answer.p, truth.p, 1e-6, solver);
+    for (const Pair& pair : all_pairs())
+      if (pair.solver != "greedy" && obstacle(pair, problem.system, RC_CONTROL_APPROACH).empty())
+        check_near(solved(problem, pair).p, truth.p, 1e-9, pair.name());
+    for (const char* inner : {"cg", "gauss-seidel", "cholesky"}) {
+      const Answer failed = solve(problem, greedy, {{"greedy.inner", inner}, {"greedy.repair", "0"}});
+      check_status(failed, RC_UNCERTIFIED, inner);
+      check_note(problem, failed);
     }
-    const Answer repaired = solve(problem, greedy, {{"greedy.repair", "1"}});
-    check_status(repaired, RC_OK, "repaired");
-    check_near(repaired.p, truth.p, 1e-9, "repaired");
-    check(repaired.result.note[0] != 0, "the note does not say that greedy was repaired");
+    for (const char* backend : {"dense", "fft"})
+      for (const Problem& each : {problem, at_load(problem, truth.result.load)}) {
+        const Answer repaired = solved(each, {"greedy", backend}, {{"greedy.repair", "1"}});
+        check_near(repaired.p, truth.p, 1e-9, "repaired");
+        check(std::string(repaired.result.note).find("nnls has repaired it") != std::string::npos, repaired.result.note);
+      }
   }
+}
+
+void unfit_inner_methods_are_refused() {
+  Problem problem;
+  problem.system.nx = 70;
+  problem.system.ny = 60;
+  problem.gap.assign(problem.points(), 0.0);
+  problem.target = 1;
+  const auto refused = [&](const Settings& settings, const std::string& word) {
+    const Answer answer = solve(problem, {"greedy", "fft"}, settings);
+    check_status(answer, RC_ERR_INCOMPATIBLE);
+    check(answer.message.find(word) != std::string::npos, "the message does not name " + word + ": " + answer.message);
+  };
+  refused({{"greedy.inner", "gauss-seidel"}}, "4200 of at most 4096");
+  refused({{"greedy.inner", "cholesky"}, {RC_OPT_ALLOW_FALLBACK, "0"}}, "greedy.inner = cg");
 }
 
 void check_coupling(const std::string& kernel, double expected, double tolerance) {
@@ -142,6 +179,7 @@ void a_positive_coupling_makes_a_counterexample() {
 std::vector<Test> all_tests() {
   std::vector<Test> tests = {
       {"stored_draws_fail_with_greedy_alone", stored_draws_fail_with_greedy_alone},
+      {"unfit_inner_methods_are_refused", unfit_inner_methods_are_refused},
       {"inverse_has_positive_entries_where_greedy_fails", inverse_has_positive_entries_where_greedy_fails},
       {"inverse_has_none_where_greedy_is_exact", inverse_has_none_where_greedy_is_exact},
       {"a_positive_coupling_makes_a_counterexample", a_positive_coupling_makes_a_counterexample},
