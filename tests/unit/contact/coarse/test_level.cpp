@@ -71,23 +71,12 @@ void a_cell_is_the_mean_of_its_included_points(void**) {
   expect_gaps(rc::Level(given.problem, given.options, 1), {4, std::nan(""), 6.5, 10.5, 12, std::nan("")});
 }
 
-void two_halvings_at_once_are_two_levels(void**) {
-  const Given given;
-  const rc::Level once(given.problem, given.options, 1), again(once.problem(), given.options, 1),
-      at_once(given.problem, given.options, 2);
-  assert_int_equal(again.halvings(), 1);
-  assert_int_equal(at_once.halvings(), 2);
-  const rc::GapValues& gap = again.problem().surface.gap();
-  expect_gaps(at_once, {gap[0], gap[1]});
-}
-
 }  // namespace
 
 int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(the_last_cells_of_odd_sides_are_smaller),
       cmocka_unit_test(a_cell_is_the_mean_of_its_included_points),
-      cmocka_unit_test(two_halvings_at_once_are_two_levels),
   };
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

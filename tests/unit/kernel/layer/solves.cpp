@@ -166,43 +166,6 @@ void spheres_feel_the_layer_or_what_is_below(void**) {
   }
 }
 
-// A thin layer on a base that hardly gives is a bed of springs of stiffness k: P = pi k R delta^2 for a sphere. Johnson, Contact
-// Mechanics (1985), section 5.8, k = (1 - nu)^2 / (1 - 2 nu) E / (1 - nu^2) / t.
-void a_thin_layer_on_a_rigid_base_carries_like_springs(void**) {
-  const Context context;
-  const double nu = 0.2, modulus = 1e-4, thickness = 2, radius = 800, depth = 1.2;
-  const rc_result found =
-      context.solve(sphere(128, radius, RC_BOUNDARY_PERIODIC), with(settings_of({thickness, modulus, nu}), {}), depth);
-  assert_int_equal(found.status, RC_OK);
-  const double spring = (1 - nu) * (1 - nu) / (1 - 2 * nu) * modulus / thickness;
-  // Periodic boundaries count the approach from the mean plane, which the springs lower.
-  const double own = depth + found.load / spring / (128 * 128);
-  assert_near(found.load, pi * spring * radius * own * own, 0.05, "springs");
-}
-
-void a_flat_punch_is_as_stiff_as_published(void**) {
-  const Context context;
-  constexpr std::int64_t side = 48;
-  Surface punch = sphere(side, 1);
-  for (double& each : punch.gap) each = each < 0.5 * 23.5 * 23.5 ? 0 : 10;
-  const auto stiffness = [&](const Layer& layer) {
-    const rc_result found = context.solve(punch, settings_of(layer), 1);
-    assert_int_equal(found.status, RC_OK);
-    return found.load;
-  };
-  const double plain = stiffness({1, 1}), radius = plain / 2;  // F = 2 a E* d
-  constexpr double little = 0.02;
-  for (const double xi : {0.3, 1.0, 3.0}) {
-    const double thickness = xi * radius, nu = 0.3;
-    const double by_modulus = (stiffness({thickness, 1 + little, nu, nu}) - stiffness({thickness, 1 - little, nu, nu})) / plain;
-    assert_near(by_modulus / (2 * little), gao_modulus_share(xi, nu), 5e-3, "I0");
-    const auto poisson = [&](double layer) {
-      return 1 - (1 - nu) * plain / stiffness({thickness, (1 - nu) / (1 - layer), layer, nu});
-    };
-    assert_near((poisson(nu + little) - poisson(nu - little)) / (2 * little), gao_poisson_share(xi), 5e-3, "I1");
-  }
-}
-
 void an_accuracy_goal_is_kept(void**) {
   const Context context;
   const Surface surface = sphere(256, 3000);
@@ -255,36 +218,13 @@ void products_are_hardly_more_than_on_a_half_space(void**) {
   assert_true(good);
 }
 
-// A layer thicker than the grid is a half-space of its modulus: a load in proportion brings the same points into contact.
-void a_thick_layer_takes_the_products_of_a_half_space(void**) {
-  const Context context;
-  const Surface surface = rough(128, RC_BOUNDARY_PERIODIC);
-  const Settings pair{{RC_OPT_SOLVER, "haar-cg"}, {RC_OPT_BACKEND, "fft"}};
-  double mean = 0;
-  for (const double each : surface.gap) mean += each / static_cast<double>(surface.gap.size());
-  const rc_result pressed = context.solve(surface, pair, 0.97 * mean);
-  if (pressed.status == RC_ERR_NO_BACKEND) skip();
-  const rc_result plain = context.solve(surface, pair, pressed.load, RC_CONTROL_LOAD);
-  for (const double modulus : {0.1, 10.0}) {
-    const rc_result thick = context.solve(surface, with(settings_of({1e4 * surface.cell * 128, modulus}), pair),
-                                          modulus * pressed.load, RC_CONTROL_LOAD);
-    assert_int_equal(thick.status, RC_OK);
-    print_message("E1/E2 %g: %ld products, half-space %ld, contacts %ld and %ld\n", modulus, static_cast<long>(thick.products),
-                  static_cast<long>(plain.products), static_cast<long>(thick.contacts), static_cast<long>(plain.contacts));
-    assert_true(thick.products <= plain.products * 3 / 2);
-  }
-}
-
 }  // namespace
 
 const std::vector<CMUnitTest> solve_tests = {
     cmocka_unit_test(every_pair_agrees),
     cmocka_unit_test(spheres_feel_the_layer_or_what_is_below),
-    cmocka_unit_test(a_thin_layer_on_a_rigid_base_carries_like_springs),
-    cmocka_unit_test(a_flat_punch_is_as_stiff_as_published),
     cmocka_unit_test(an_accuracy_goal_is_kept),
     cmocka_unit_test(products_are_hardly_more_than_on_a_half_space),
-    cmocka_unit_test(a_thick_layer_takes_the_products_of_a_half_space),
 };
 
 }  // namespace layer
