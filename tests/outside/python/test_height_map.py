@@ -54,33 +54,24 @@ def test_surfaces_are_added(whole):
 
 @pytest.mark.parametrize("periodic", [True, False, None])
 def test_files_keep_what_a_surface_is(tmp_path, whole, periodic):
-    path = tmp_path / "a.gsf"
-    heights = np.where(whole > 80, np.nan, whole)
-    rc.Surface(heights, (0.5, 2.0), periodic, unit="m").save(path)
-    found = rc.read(path)
-    assert np.array_equal(found.heights, heights, equal_nan=True) and found.pitch == (0.5, 2.0) and found.unit == "m"
-    assert found.periodic is periodic and found.assumed == ""
-    rc.Surface(heights, (0.5, 2.0), periodic, unit="um").save(str(path))
-    again = rc.read(path).in_unit("um")
-    assert np.allclose(again.heights, heights, equal_nan=True, rtol=1e-6) and again.pitch == pytest.approx((0.5, 2.0))
-    rc.Surface(whole, (0.5, 2.0), mask=whole > -80).save(path)
-    assert np.array_equal(rc.read(path).missing, whole <= -80) and "without a unit" in rc.read(path).assumed
-    for name in ("b.nc", "b.NC"):
-        precise = rc.Surface(heights / 3, (0.1, 2.0), periodic, unit="m")
-        precise.save(tmp_path / name)
+    holed = np.where(whole > 80, np.nan, whole)
+    thirds = holed / 3  # which single precision rounds
+    for name, heights, unit, within in (
+        ("a.gsf", holed, "m", 0), ("b.gsf", holed, "um", 1e-6), ("c.nc", thirds, "m", 0), ("d.NC", thirds, "m", 0), ("e.nc", thirds, "um", 1e-14)
+    ):  # fmt: skip
+        rc.Surface(heights, (0.1, 2.0), periodic, unit=unit).save(str(tmp_path / name))
         found = rc.read(tmp_path / name)
-        assert np.array_equal(found.heights, precise.heights, equal_nan=True) and found.periodic is periodic
-        assert found.pitch == pytest.approx((0.1, 2.0), rel=1e-15) and found.assumed == ""
-    rc.Surface(heights, (0.5, 2.0), periodic, unit="um").save(tmp_path / "b.nc")
-    again = rc.read(tmp_path / "b.nc").in_unit("um")
-    assert np.allclose(again.heights, heights, equal_nan=True, rtol=1e-14) and again.pitch == pytest.approx((0.5, 2.0))
-    rc.Surface(heights, (0.5, 2.0), periodic).save(tmp_path / "b.nc")
-    assert "without a unit" in rc.read(tmp_path / "b.nc").assumed
-    rc.Surface(heights, (0.5, 2.0), periodic).save(tmp_path / "a.npy")
+        again = found.in_unit(unit)
+        assert np.allclose(again.heights, heights, equal_nan=True, rtol=within, atol=0) and found.unit == "m"
+        assert again.pitch == pytest.approx((0.1, 2.0), rel=1e-14) and found.periodic is periodic and found.assumed == ""
+    for name in ("f.gsf", "g.nc"):
+        rc.Surface(whole, (0.5, 2.0), mask=whole > -80).save(tmp_path / name)
+        assert np.array_equal(rc.read(tmp_path / name).missing, whole <= -80) and "without a unit" in rc.read(tmp_path / name).assumed
+    rc.Surface(holed, (0.5, 2.0), periodic).save(tmp_path / "a.npy")
     array = rc.read(tmp_path / "a.npy", pitch=(0.5, 2.0))
-    assert np.array_equal(array.heights, heights, equal_nan=True) and array.periodic is None
-    rc.Surface([1.0, 2.0], (0.5, 2.0)).save(path)
-    assert rc.read(path).shape == (1, 2) and rc.read(path).pitch == (0.5, 2.0)
+    assert np.array_equal(array.heights, holed, equal_nan=True) and array.periodic is None
+    rc.Surface([1.0, 2.0], (0.5, 2.0)).save(tmp_path / "a.gsf")
+    assert rc.read(tmp_path / "a.gsf").shape == (1, 2) and rc.read(tmp_path / "a.gsf").pitch == (0.5, 2.0)
 
 
 def test_files_are_whole_or_not_there(tmp_path, whole):

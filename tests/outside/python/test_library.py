@@ -5,6 +5,8 @@ import shutil
 import subprocess
 import sys
 
+import pytest
+
 import roughcontact as rc
 from roughcontact import _library
 
@@ -40,27 +42,22 @@ def test_every_system_has_its_own_name_for_a_library():
     assert names == ["libroughcontact-surface.so.0", "libroughcontact-surface-0.dll", "libroughcontact-surface.0.dylib"]
 
 
-def test_a_file_that_is_not_there(tmp_path):
-    ran = python(
-        "import roughcontact as rc\ntry: rc.version()\nexcept ImportError as e: print(type(e).__name__, e)",
-        tmp_path,
-        ROUGHCONTACT_LIBRARY="/nowhere/lib.so",
-    )
-    assert "LibraryNotFoundError" in ran.stdout and "/nowhere/lib.so" in ran.stdout and "ROUGHCONTACT_LIBRARY" in ran.stdout
-
-
-def test_a_library_of_another_kind(tmp_path):
-    ran = python(
-        "import roughcontact as rc\ntry: rc.version()\nexcept ImportError as e: print(e)",
-        tmp_path,
-        ROUGHCONTACT_LIBRARY=_libc(),
-    )
-    assert "has no function rc_" in ran.stdout and "install both from one source" in ran.stdout
-
-
 def _libc():
     with open("/proc/self/maps") as maps:
         return next(line.split()[-1] for line in maps if "/libc.so" in line or "/libc-" in line)
+
+
+@pytest.mark.parametrize(
+    "library, says",
+    [
+        ("/nowhere/lib.so", ("LibraryNotFoundError", "/nowhere/lib.so", "ROUGHCONTACT_LIBRARY")),
+        (_libc(), ("has no function rc_", "install both from one source")),
+    ],
+)
+def test_a_file_that_is_no_library_of_ours(library, says, tmp_path):
+    code = "import roughcontact as rc\ntry: rc.version()\nexcept ImportError as e: print(type(e).__name__, e)"
+    ran = python(code, tmp_path, ROUGHCONTACT_LIBRARY=library)
+    assert all(words in ran.stdout for words in says), ran
 
 
 def test_solving_loads_neither_the_surface_library_nor_matplotlib(tmp_path):

@@ -24,12 +24,14 @@ class RunScript(CommandTest):
             path.write_text("#!/bin/sh\n" + text)
             path.chmod(0o755)
 
-    def environment(self):
-        return dict(os.environ, PATH=str(self.folder / "path") + os.pathsep + os.environ["PATH"])
+    def ran(self, *arguments, code=0):
+        path = dict(os.environ, PATH=str(self.folder / "path") + os.pathsep + os.environ["PATH"])
+        done = subprocess.run(["./run.sh", *arguments], cwd=self.folder, env=path, capture_output=True, text=True, timeout=60)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done
 
     def asked(self, *arguments):
-        done = subprocess.run(["./run.sh", *arguments], cwd=self.folder, env=self.environment(), capture_output=True, text=True, timeout=60)
-        self.assertEqual(done.returncode, 0, done.stderr)
+        done = self.ran(*arguments)
         return " ".join(done.stdout.splitlines())
 
     def test_a_surface_is_levelled_unless_told_otherwise(self):
@@ -59,8 +61,7 @@ class RunScript(CommandTest):
 
     def test_a_failed_build_says_why_and_presses_nothing(self):
         (self.folder / "path/cmake").write_text("#!/bin/sh\necho 'x.cpp:1: error: no'\nexit 1\n")
-        done = subprocess.run(["./run.sh", "s.x3p"], cwd=self.folder, env=self.environment(), capture_output=True, text=True, timeout=60)
-        self.assertEqual(done.returncode, 1)
+        done = self.ran("s.x3p", code=1)
         self.assertIn("x.cpp:1: error: no", done.stdout)
         self.assertNotIn("solve", done.stdout)
 
@@ -84,9 +85,7 @@ class RunScript(CommandTest):
 
     def test_a_page_if_it_is_asked_for(self):
         self.assertIn("the same with --page", self.asked("s.x3p", "--modulus", "210GPa"))
-        done = subprocess.run(["./run.sh", "s.x3p", "--page"], cwd=self.folder, env=self.environment(), capture_output=True, text=True, timeout=60)
-        self.assertEqual(done.returncode, 1)
-        self.assertIn("pip install jinja2 numpy plotly", done.stderr)
+        self.assertIn("pip install jinja2 numpy plotly", self.ran("s.x3p", "--page", code=1).stderr)
         python = self.folder / "path/python3"
         python.write_text('#!/bin/sh\n[ "$1" = -c ] || printf "%s\\n" "$@" >page\n')
         for out in (["--out", "folder"], ["--out=folder"]):
@@ -97,7 +96,7 @@ class RunScript(CommandTest):
                              "-m roughcontact report folder --out folder/report.html".split())
         (self.folder / "page").unlink()
         (self.folder / "build-run/bin/roughcontact").write_text("#!/bin/sh\nexit 1\n")
-        self.assertEqual(subprocess.run(["./run.sh", "s.x3p", "--page"], cwd=self.folder, env=self.environment(), capture_output=True, timeout=60).returncode, 1)
+        self.ran("s.x3p", "--page", code=1)
         self.assertFalse((self.folder / "page").exists())
 
 
