@@ -81,25 +81,8 @@ def main() -> int:
         program.with_suffix(".c").write_text("\n".join(begun) + "\n")
         subprocess.run(["cc", "-c", f"-I{source / 'include'}", "layouts.c", "-o", "begun.o"], check=True, cwd=folder)
         files = [str(source / "bindings" / "fortran" / module) for module in modules]
-        subprocess.run(
-            [
-                compiler,
-                "-O0",
-                *files,
-                str(program),
-                "begun.o",
-                "-o",
-                "layouts",
-                f"-L{libraries}",
-                f"-Wl,-rpath,{libraries}",
-                *(f"-lroughcontact-{name}" for name in flow),
-                "-lroughcontact-surface",
-                "-lroughcontact-formats",
-                "-lroughcontact",
-            ],
-            check=True,
-            cwd=folder,
-        )
+        links = [f"-L{libraries}", f"-Wl,-rpath,{libraries}", *(f"-lroughcontact-{name}" for name in (*flow, "surface", "formats")), "-lroughcontact"]
+        subprocess.run([compiler, "-O0", *files, str(program), "begun.o", "-o", "layouts", *links], check=True, cwd=folder)
         status = subprocess.run([str(program.with_suffix(""))]).returncode
     print(f"{structs} structs, {len(calls) - structs} constants")
     return status

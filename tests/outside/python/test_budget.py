@@ -256,20 +256,7 @@ def test_command_and_report_say_what_dominates(tmp_path):
     np.save(tmp_path / "rough.npy", surface(1).heights)
     np.save(tmp_path / "other.npy", surface(2).heights)
     sources = f"noise=5nm,E=5%,maps={tmp_path / 'other.npy'}"
-    words = [
-        "--pitch",
-        "1um",
-        "--unit",
-        "m",
-        "--E",
-        "210GPa",
-        "--nu",
-        "0.3",
-        "--boundary",
-        "periodic",
-        "--pressure",
-        "0.5GPa,1GPa",
-    ]
+    words = ["--pitch=1um", "--unit=m", "--E=210GPa", "--nu=0.3", "--boundary=periodic", "--pressure=0.5GPa,1GPa"]
     asked = [program(), "solve", str(tmp_path / "rough.npy"), *words, "--budget", sources]
     printed = subprocess.run([*asked, "--out", str(tmp_path / "run")], check=True, capture_output=True, text=True).stdout
     found = rc.budget(surface(1), {"noise": "5nm", "E": "5%", "maps": [surface(2)]}, pressure="1GPa", **STEEL)

@@ -27,6 +27,8 @@ def test_arrays_slopes_and_inverses(law):
     assert np.allclose((law(x + 1e-9) - p)[x > 0], 1e-9 * law.slope(x)[x > 0], rtol=1e-2)  # it jumps at first touch
     assert np.allclose(law.conductance(p, k=(50, 200)), 2 * law.slope(x) / (1 / 50 + 1 / 200), rtol=1e-6)
     assert np.all(np.diff(law.energy(x).ravel()) >= 0) and np.all(law.area_fraction(x) <= 1)
+    lower, upper = law.bounds(x)
+    assert np.all(lower <= p) and np.all(p <= upper) and np.any(lower < upper)
     assert len(law.nodes["x"]) == law.info["nodes"] and law.status == rc.Status.OK
 
 

@@ -23,14 +23,9 @@ def test_options_are_described():
     assert specs["max_iter"].kind is int and specs["accuracy.of"].choices == ("load", "area")
     assert "fft.precision" in specs and all(spec.help for spec in specs.values())
     assert set(rc.effective_options()) == set(specs)
-    values = rc.effective_options({"tol": "1e-6", "threads": np.int64(3), "bounds": False, "solver": "gp", "time_limit": 2})
-    assert (values["tol"], values["threads"], values["bounds"], values["solver"], values["time_limit"]) == (
-        1e-6,
-        3,
-        0,
-        "gp",
-        2.0,
-    )
+    given = {"tol": "1e-6", "threads": np.int64(3), "bounds": False, "solver": "gp", "time_limit": 2}
+    values = rc.effective_options(given)
+    assert [values[key] for key in given] == [1e-6, 3, 0, "gp", 2.0]
 
 
 def test_contexts_of_ones_own(sphere_gap, half_space):

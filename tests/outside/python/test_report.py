@@ -196,22 +196,9 @@ def test_the_page_follows_the_dark():
 
 
 def test_a_goal_for_the_accuracy(tmp_path):
-    np.save(
-        tmp_path / "smooth.npy",
-        rc.surface.spectral((256, 256), pitch=1e-6, rms_height=1e-7, hurst=1, q_high=2 * np.pi / 32e-6).heights,
-    )
-    goal = [
-        str(tmp_path / "smooth.npy"),
-        "--pitch",
-        "1um",
-        *STEEL,
-        "--boundary",
-        "periodic",
-        "--pressure",
-        "50MPa,100MPa",
-        "--set",
-        "accuracy=0.2",
-    ]
+    smooth = rc.surface.spectral((256, 256), pitch=1e-6, rms_height=1e-7, hurst=1, q_high=2 * np.pi / 32e-6)
+    np.save(tmp_path / "smooth.npy", smooth.heights)
+    goal = [str(tmp_path / "smooth.npy"), "--pitch=1um", *STEEL, "--boundary=periodic", "--pressure=50MPa,100MPa", "--set=accuracy=0.2"]
     content = of(goal)
     assert content.certified and [step.status for step in content.steps] == 2 * [rc.Status.WITHIN_GOAL]
     assert "2 were solved on a coarser grid" in wording.certificate(content)

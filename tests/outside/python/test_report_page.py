@@ -28,21 +28,8 @@ BROWSER = shutil.which("chromium") or shutil.which("google-chrome")
 def written(tmp_path, shape, *arguments, name="a <b> & c.npy"):
     np.save(tmp_path / name, rc.surface.spectral(shape, pitch=1e-6, rms_slope=0.1, q_rolloff=2 * np.pi / 16e-6, seed=5).heights)
     out = tmp_path / "page.html"
-    given = [
-        "report",
-        str(tmp_path / name),
-        "--pitch",
-        "1um",
-        "--E",
-        "210GPa",
-        "--nu",
-        "0.3",
-        "--boundary",
-        "periodic",
-        "--out",
-        str(out),
-    ]
-    assert command.main([*given, *arguments]) == 0
+    given = [str(tmp_path / name), "--pitch=1um", "--E=210GPa", "--nu=0.3", "--boundary=periodic", f"--out={out}"]
+    assert command.main(["report", *given, *arguments]) == 0
     return out.read_text(encoding="utf-8")
 
 

@@ -355,13 +355,8 @@ def test_a_word_of_flow_is_a_function_here(here, command):
     words = {**given({}), "want_gap": True}
     result = rc.solve(words.pop("surface"), **words)
     leak = result.leak(viscosity=2e-3, pressure_drop=3e5, along="y")
-    for name, value in (
-        ("leak", leak.flow),
-        ("leak_lower", leak.lower),
-        ("leak_upper", leak.upper),
-        ("constriction", leak.constriction),
-    ):
-        assert written[name] == pytest.approx(value, rel=1e-9), name
+    names = ("leak", "leak_lower", "leak_upper", "constriction")
+    assert [written[name] for name in names] == pytest.approx([leak.flow, leak.lower, leak.upper, leak.constriction], rel=1e-9)
     words = {"pitch": "1um", "modulus": "1GPa", "boundary": "periodic"}
     done = run([command, "solve"], "surface.npy", {**words, "closing-pressure": "x"})
     found = rc.closing_pressure("surface.npy", **words)
