@@ -1,5 +1,4 @@
 """What the tests of roughcontact-mpi share: running it on a number of ranks, beside roughcontact itself."""
-import json
 import os
 import subprocess
 import sys
@@ -11,11 +10,11 @@ for folder in ('../../behaviour/ranks', '../tools'):
 import harness
 from harness import np
 from run import ENVIRONMENT as MPI
+from test_resume import assert_same_results, said  # noqa: F401
 
 COMMAND = SERIAL = MPIEXEC = ''
 ENVIRONMENT = {**os.environ, **MPI, 'OMP_NUM_THREADS': '1'}
 PRESS = ['--pitch', '1e-6', '--modulus', '1e9']
-TIMES = 'seconds', 'setup_seconds'
 
 
 def main():
@@ -37,15 +36,6 @@ def rough(ny=96, nx=64, seed=1):
     return harness.rough(ny, nx, seed=seed)
 
 
-def said(folder, times=False):
-    """summary.json, without the times."""
-    summary = json.loads((folder / 'summary.json').read_text())
-    for step in summary['steps']:
-        for name in () if times else TIMES:
-            del step[name]
-    return summary
-
-
 class RanksTest(harness.CommandTest):
     def run_ranks(self, ranks, *arguments, code=0):
         done = subprocess.run(on_ranks(ranks, *arguments), cwd=self.folder, encoding='utf-8', capture_output=True, timeout=300, env=ENVIRONMENT)
@@ -61,8 +51,4 @@ class RanksTest(harness.CommandTest):
         return [line for line in done.stderr.splitlines() if line.startswith('roughcontact')]
 
     def assert_same(self, one, other):
-        self.assertEqual(said(self.folder / one), said(self.folder / other))
-        names = sorted(path.name for path in (self.folder / one).iterdir())
-        self.assertEqual(names, sorted(path.name for path in (self.folder / other).iterdir()))
-        for path in (self.folder / one).glob('*.npy'):
-            self.assertEqual(path.read_bytes(), (self.folder / other / path.name).read_bytes(), path.name)
+        assert_same_results(self, self.folder / one, self.folder / other)

@@ -1,5 +1,6 @@
 """What the tests of the command share: running it, generating surfaces, and judging how it fails."""
 import os
+import signal
 import subprocess
 import sys
 import tempfile
@@ -25,6 +26,11 @@ def main():
         sys.exit("usage: %s ROUGHCONTACT [TEST ...]" % sys.argv[0])
     COMMAND = str(Path(sys.argv.pop(1)).resolve())
     unittest.main(module="__main__")
+
+
+def default_signals():
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, signal.SIG_DFL)
 
 
 def paraboloid(n=48, pitch=1e-6, radius=1e-3):
@@ -63,6 +69,17 @@ class CommandTest(unittest.TestCase):
         done = self.run_command("solve", *arguments, *([] if said else ["--boundary", "free"]), **settings)
         self.assertEqual(done.returncode, code, done.stderr)
         return done
+
+    def start(self, *arguments, **settings):
+        """The command, which the signals end that a shell's background ignores."""
+        pipes = dict(stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8")
+        return subprocess.Popen([COMMAND, *map(str, arguments)], cwd=self.folder, preexec_fn=default_signals, **{**pipes, **settings})
+
+    def with_gnuplot(self, script, folder="."):
+        """An environment in which gnuplot is this script."""
+        self.file(folder + "/gnuplot", "#!/bin/sh\n" + script)
+        (self.folder / folder / "gnuplot").chmod(0o755)
+        return dict(os.environ, PATH="%s:/usr/bin:/bin" % (self.folder / folder))
 
     def npy(self, z, name="surface.npy"):
         np.save(self.folder / name, z)

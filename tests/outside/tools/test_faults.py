@@ -3,7 +3,6 @@ import itertools
 import json
 import os
 import signal
-import stat
 import subprocess
 import time
 
@@ -11,6 +10,7 @@ import harness
 from harness import CommandTest, np, paraboloid, rough, step_file, without_gnuplot
 
 HERTZ = ["--pitch", "1e-6", "--modulus", "1e9"]
+DRAWING = "touch drawing\nwhile [ -e drawing ]; do sleep 0.02; done\n"
 STREAMS = ("stdin", "stdout", "stderr")
 
 
@@ -20,11 +20,6 @@ def closing(numbers):
             os.close(number)
 
     return close
-
-
-def default_signals():
-    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-        signal.signal(number, signal.SIG_DFL)
 
 
 def wait_for(condition, seconds=100):
@@ -66,13 +61,12 @@ class Streams(CommandTest):
 
 
 class Folder(CommandTest):
-    def start(self, *arguments):
-        return subprocess.Popen([harness.COMMAND, "solve", *arguments, "--quiet"], cwd=self.folder, env=without_gnuplot(), preexec_fn=default_signals,
-                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8")
+    def pressed(self, surface):
+        return self.start("solve", surface, *HERTZ, "--approach", "1e-8:4e-7:20000", "--out", "out", "--quiet", env=without_gnuplot())
 
     def test_a_second_writer_is_refused(self):
         small, out = self.npy(paraboloid(24), "small.npy"), self.folder / "out"
-        first = self.start(self.npy(rough(64, 64)), *HERTZ, "--approach", "1e-8:4e-7:20000", "--out", "out")
+        first = self.pressed(self.npy(rough(64, 64)))
         wait_for(lambda: (out / step_file("pressure", 2, 20000)).exists())
         second = self.run_command("solve", small, *HERTZ, "--approach", "1e-8", "--out", "out")
         self.assertEqual(second.returncode, 1, second.stderr)
@@ -86,7 +80,7 @@ class Folder(CommandTest):
 
     def test_a_killed_run_leaves_no_lock(self):
         surface, out = self.npy(rough(64, 64)), self.folder / "out"
-        killed = self.start(surface, *HERTZ, "--approach", "1e-8:4e-7:20000", "--out", "out")
+        killed = self.pressed(surface)
         wait_for(lambda: (out / step_file("pressure", 2, 20000)).exists())
         killed.kill()
         killed.communicate()
@@ -118,15 +112,11 @@ class Folder(CommandTest):
                         self.assert_fails("solve", surface, *HERTZ, "--approach", "1e-8", "--out", "out", *resume, says=["--out", name, "is no regular file"])
                         path.rmdir() if path.is_dir() else path.unlink()
 
+
 class Signals(CommandTest):
     def started(self, gnuplot):
         """A run that is being held up where it draws: in the middle of writing a file."""
-        self.file("gnuplot", "#!/bin/sh\n" + gnuplot)
-        (self.folder / "gnuplot").chmod(stat.S_IRWXU)
-        surface = self.npy(rough())
-        run = subprocess.Popen([harness.COMMAND, "solve", surface, *HERTZ, "--approach", "1e-7,2e-7", "--out", "out", "--quiet"], cwd=self.folder,
-                               env=dict(os.environ, PATH="%s:/usr/bin:/bin" % self.folder), preexec_fn=default_signals, stdout=subprocess.PIPE,
-                               stderr=subprocess.PIPE)
+        run = self.start("solve", self.npy(rough()), *HERTZ, "--approach", "1e-7,2e-7", "--out", "out", "--quiet", env=self.with_gnuplot(gnuplot))
         self.addCleanup(lambda: run.poll() is None and run.kill())
         wait_for(lambda: (self.folder / "drawing").exists())
         return run
@@ -134,7 +124,7 @@ class Signals(CommandTest):
     def test_the_second_signal_ends_at_once(self):
         for first, second in itertools.product((signal.SIGINT, signal.SIGTERM, signal.SIGHUP), repeat=2):
             with self.subTest(first=first, second=second):
-                run = self.started("touch drawing\nwhile [ -e drawing ]; do sleep 0.02; done\n")
+                run = self.started(DRAWING)
                 run.send_signal(first)
                 time.sleep(0.05)
                 self.assertIsNone(run.poll())
@@ -146,13 +136,10 @@ class Signals(CommandTest):
                 self.assertEqual(self.names("out")[-4:], ["gap-1.npy", "heights.npy", "pressure-1.npy", "summary.json"])
 
     def test_other_commands_end_without_their_file(self):
-        self.file("gnuplot", "#!/bin/sh\ntouch drawing\nwhile [ -e drawing ]; do sleep 0.02; done\n")
-        (self.folder / "gnuplot").chmod(stat.S_IRWXU)
-        surface = self.npy(rough())
+        surface, environment = self.npy(rough()), self.with_gnuplot(DRAWING)
         before = self.names()
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-            run = subprocess.Popen([harness.COMMAND, "analyze", surface, "--pitch", "1e-6", "--picture", "a.png"], cwd=self.folder, preexec_fn=default_signals,
-                                   env=dict(os.environ, PATH="%s:/usr/bin:/bin" % self.folder), stdout=subprocess.DEVNULL)
+            run = self.start("analyze", surface, "--pitch", "1e-6", "--picture", "a.png", env=environment, stdout=subprocess.DEVNULL)
             wait_for(lambda: (self.folder / "drawing").exists())
             run.send_signal(number)
             self.assertEqual(run.wait(10), -number)

@@ -1,7 +1,6 @@
 """The folder that `roughcontact solve` writes: which files of each step, whole at every moment."""
 import csv
 import json
-import os
 
 import harness
 from harness import CommandTest, np, rough, without_gnuplot
@@ -55,9 +54,8 @@ class Writing(CommandTest):
         self.assertEqual(self.names("out"), ["gap-1.npy", "gap-2.npy", "heights.npy", "pressure-1.npy", "pressure-2.npy", "steps.csv", "summary.json"])
 
     def test_gnuplot_that_fails_leaves_no_picture(self):
-        self.file("gnuplot", "#!/bin/sh\necho half a picture\necho boom >&2\nexit 3\n")
-        (self.folder / "gnuplot").chmod(0o755)
-        done = self.solve(self.npy(rough()), "--pitch", "1um", "--unit", "m", *PRESS, "--out", "out", "--quiet", env=dict(os.environ, PATH=str(self.folder)))
+        environment = self.with_gnuplot("echo half a picture\necho boom >&2\nexit 3\n")
+        done = self.solve(self.npy(rough()), "--pitch", "1um", "--unit", "m", *PRESS, "--out", "out", "--quiet", env=environment)
         self.assertEqual(done.stderr, "roughcontact: contact-1.png not drawn, gnuplot failed: boom\n")
         self.assertEqual(self.names("out"), ["gap-1.npy", "heights.npy", "pressure-1.npy", "steps.csv", "summary.json"])
 

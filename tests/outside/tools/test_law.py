@@ -3,7 +3,6 @@ import json
 import pathlib
 import os
 import signal
-import subprocess
 import time
 
 import harness
@@ -105,8 +104,7 @@ class Laws(CommandTest):
 
     def test_interrupted_it_has_written_nothing(self):
         name = self.npy(rough(600, 600))
-        with subprocess.Popen([harness.COMMAND, "law", name, *MAKE, "-o", "a.law", "--export", "csv=a.csv"], cwd=self.folder, stdout=subprocess.PIPE,
-                              stderr=subprocess.PIPE, preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL)) as process:
+        with self.start("law", name, *MAKE, "-o", "a.law", "--export", "csv=a.csv") as process:
             stat = pathlib.Path(f"/proc/{process.pid}/stat")
             while int(stat.read_text().rpartition(")")[2].split()[11]) < 50:  # hundredths of a second of its own: it solves
                 self.assertIsNone(process.poll(), "the law is made before it can be interrupted")

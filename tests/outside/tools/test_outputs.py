@@ -61,9 +61,7 @@ class Outputs(CommandTest):
         super().setUp()
         self.npy(rough(32, 32, rms=5e-8), "z.npy")
         (self.folder / "bin").mkdir()
-        self.file("bin/gnuplot", "#!/bin/sh\nprintf '\\211PNG\\r\\n\\032\\n picture IEND\\256B`\\202'\n")  # gnuplot takes long
-        (self.folder / "bin/gnuplot").chmod(0o755)
-        self.environment = dict(os.environ, PATH="%s:/usr/bin:/bin" % (self.folder / "bin"))
+        self.environment = self.with_gnuplot("printf '\\211PNG\\r\\n\\032\\n picture IEND\\256B`\\202'\n", "bin")  # gnuplot takes long
         self.assertEqual(self.run_command("law", "z.npy", *MAKE, "-o", "a.law").returncode, 0)
         (self.folder / "there").mkdir()
         os.umask(0o022)

@@ -1,7 +1,6 @@
 """The pictures that the command draws, looked at pixel by pixel. Skipped without gnuplot."""
 import ctypes
 import json
-import os
 import shutil
 import sys
 
@@ -135,10 +134,9 @@ class Pictures(CommandTest):
         """What gnuplot gets to draw, of the steps and of the history."""
         shutil.rmtree(self.folder / "out", ignore_errors=True)
         (self.folder / "script").unlink(missing_ok=True)
-        self.file("gnuplot", "#!/bin/sh\ncat >>'%s/script'\necho picture\n" % self.folder)
-        (self.folder / "gnuplot").chmod(0o755)
+        environment = self.with_gnuplot("cat >>'%s/script'\necho picture\n" % self.folder)
         self.solve(self.npy(z), "--pitch", "1um", "--modulus", "1GPa", "--pressure", "1MPa,2MPa", "--out", "out", "--quiet", *arguments,
-                   env=dict(os.environ, PATH="%s:/usr/bin:/bin" % self.folder))
+                   env=environment)
         return (self.folder / "script").read_bytes().decode("utf-8", "replace")
 
     def test_what_is_written_in_pictures(self):

@@ -100,5 +100,6 @@ class Analyze(CommandTest):
             self.assertNotIn("nan", done.stdout)
             self.assertEqual(sum(found["psd"]["modes"]), shape[0] * shape[1] - 1)
 
+
 if __name__ == "__main__":
     harness.main()
