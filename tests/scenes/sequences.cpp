@@ -320,7 +320,14 @@ class Refused final : public Property {
       step.control = 3;
     }
     answer_ = c.solve(contact.get(), step);
-    return before.status == RC_OK ? "" : "not certified";
+    if (before.status != RC_OK) return "not certified";
+    const Handle undisturbed = c.open();
+    rc_step again = c.step(last);
+    c.solve(undisturbed.get(), again);
+    again.undeformed_gap.data = again.mask.data = nullptr;  // those of the step before, not of the refused one
+    next_ = c.solve(contact.get(), again);
+    wanted_ = c.solve(undisturbed.get(), again);
+    return "";
   }
   Verdict judge(const Case& c) const override {
     need(answer_.status == expected_,
@@ -329,6 +336,7 @@ class Refused final : public Property {
     const auto untouched = [](double value) { return value == -7; };
     need(std::ranges::all_of(answer_.p, untouched) && std::ranges::all_of(answer_.gap, untouched), "a refused step writes");
     need(!c.scene().hard() || answer_.indentation == answer_.indentation_after, "a refused step leaves an indentation");
+    need_same_answer(next_, wanted_, "after a refused step");
     return Verdict::held;
   }
   bool spoil(const Case&, Random&) override {
@@ -337,7 +345,7 @@ class Refused final : public Property {
   }
 
  private:
-  StepAnswer answer_;
+  StepAnswer answer_, next_, wanted_;
   rc_status expected_ = RC_ERR_INTERNAL;
 };
 

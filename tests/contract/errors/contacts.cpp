@@ -74,33 +74,6 @@ Outcome cancelled_before() {
   return solve(contact.get(), scene);
 }
 
-Outcome cancelled_once() {
-  const Scene scene;
-  const ContactHandle contact = made(scene);
-  rc_contact_cancel(contact.get());
-  assert_int_equal(solve(contact.get(), scene), RC_STOP_CANCELLED);
-  return solve(contact.get(), scene);
-}
-
-// The gap of a step that was refused is not remembered.
-Outcome refused_step_forgotten() {
-  Scene scene;
-  const ContactHandle contact = made(scene);
-  assert_int_equal(solve(contact.get(), scene), RC_OK);
-  const double load = answer().result()->load;
-  const std::vector<double> other(points, 0.0);
-  rc_step bad = scene.step;
-  bad.undeformed_gap.data = other.data();
-  bad.target = nan;
-  answer().prepare();
-  assert_int_equal(rc_contact_solve(contact.get(), &bad, answer().result()), RC_ERR_ARGUMENT);
-  assert_true(answer().untouched());
-  scene.step.undeformed_gap.data = nullptr;
-  const Outcome outcome = solve(contact.get(), scene);
-  assert_true(answer().result()->load == load);
-  return outcome;
-}
-
 Outcome after_reset() {
   Scene scene;
   const ContactHandle contact = made(scene);
@@ -160,15 +133,6 @@ Outcome used_by_a_static_destructor() {
   return outcome;
 }
 
-// The answer says which grid it is of.
-Outcome grid_of_an_answer() {
-  const Scene scene;
-  const Outcome outcome = solve(made(scene).get(), scene);
-  const rc_result& found = *answer().result();
-  assert_true(found.model_nx == scene.system.nx && found.model_ny == scene.system.ny && found.left_out == 0);
-  return outcome;
-}
-
 // A contact that ranks share, cancelled by one of them before a step.
 Outcome shared_and_cancelled() {
   const Scene scene;
@@ -176,17 +140,6 @@ Outcome shared_and_cancelled() {
   rc_contact_cancel(contact.get());
   const Outcome outcome = solve(contact.get(), scene);
   assert_int_equal(solve(contact.get(), scene), RC_OK);
-  return outcome;
-}
-
-Outcome nan_under_the_mask() {
-  Scene scene;
-  std::vector<std::uint8_t> mask(points, 1);
-  mask[2] = 0;
-  scene.gap[2] = nan;
-  scene.step.mask.data = mask.data();
-  const Outcome outcome = solve(scene);
-  assert_true(answer().p()[2] == 0 && answer().result()->load > 0);
   return outcome;
 }
 
@@ -304,9 +257,9 @@ Calls contact_calls() {
        }},
   };
 #define CALL(name) all[#name] = [](World&) { return name(); }
-  CALL(used_by_two_threads), CALL(stopped_by_progress), CALL(cancelled_before), CALL(cancelled_once), CALL(grid_of_an_answer);
-  CALL(shared_and_cancelled), CALL(refused_step_forgotten), CALL(after_reset), CALL(result_over_its_input);
-  CALL(context_destroyed_first), CALL(used_by_a_static_destructor), CALL(nan_under_the_mask), CALL(mask_lifted_over_nan);
+  CALL(used_by_two_threads), CALL(stopped_by_progress), CALL(cancelled_before), CALL(shared_and_cancelled), CALL(after_reset),
+      CALL(result_over_its_input);
+  CALL(context_destroyed_first), CALL(used_by_a_static_destructor), CALL(mask_lifted_over_nan);
   CALL(whole_number_set), CALL(solves_after_refused_options), CALL(copied), CALL(options_of_another_context);
   CALL(tightened_later), CALL(recovers_after_failure);
 #undef CALL

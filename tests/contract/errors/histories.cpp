@@ -45,13 +45,6 @@ Outcome history_ended_by_fn(World& w) {
   return run_history(made(w.scene).get(), w);
 }
 
-Outcome gap_of_the_step_before(World& w) {
-  const ContactHandle contact = made(w.scene);
-  assert_int_equal(solve(contact.get(), w.scene), RC_OK);
-  w.memory.history.undeformed_gap = {};
-  return run_history(contact.get(), w);
-}
-
 Outcome batch_ended_by_fn(World& w) {
   w.memory.batch.fn = [](std::int64_t, std::int64_t step, const rc_result*, void*) -> std::int32_t { return step == 1; };
   return run_batch(w);
@@ -74,7 +67,6 @@ Calls history_calls() {
       {"history_fn_asks_for_points", from_history([](rc_contact* c) { return rc_contact_points(c, 0, {}, {}, nullptr); })},
       {"history_cancelled_by_fn", history_cancelled_by_fn},
       {"history_ended_by_fn", history_ended_by_fn},
-      {"gap_of_the_step_before", gap_of_the_step_before},
       {"batch_ended_by_fn", batch_ended_by_fn},
       {"batch_ended_by_progress", batch_ended_by_progress},
   };

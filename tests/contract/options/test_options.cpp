@@ -13,7 +13,6 @@
 #include <string>
 #include <utility>
 
-#include "scenes.h"
 #include "support/cmocka.hpp"
 #include "support/system.h"
 #include "values.h"
@@ -62,14 +61,13 @@ int run(const char* key, const char* kind) {
   const auto option = std::find_if(all.begin(), all.end(), [&](const Option& each) { return each.key == key; });
   if (option == all.end()) return 1;
   const Values values = values_of(*option, names);
-  Scene scene(kind);
   const bool memory = option->key.ends_with("memory_limit") || option->key == RC_OPT_THREADS;  // of stacks
   for (const std::string& value : values.inside) {
     announce(*option, value);
     rc_options* const handle = fresh_options(context, *option, names);
     const rc_status set = rc_options_set_text(handle, key, value.c_str());
     const bool refused = set != RC_OK && option->type == RC_TYPE_TEXT && *rc_last_error() != '\0';
-    const std::string fault = set == RC_OK ? scene.judge(handle, memory)
+    const std::string fault = set == RC_OK ? judge(kind, handle, memory)
                               : refused    ? ""
                                            : "refused: " + std::string(rc_last_error());
     rc_options_destroy(handle);

@@ -31,4 +31,10 @@ struct Values {
 };
 Values values_of(const Option& option, const Names& names);
 
+inline constexpr const char* kinds[] = {"free", "periodic", "matrix", "product"};
+
+// A user's calls on a small system of this kind: solves and certifies in both controls. "": every call gave an answer or a
+// documented error; otherwise what is wrong. memory: running out of memory is an answer, too.
+std::string judge(const std::string& kind, const rc_options* options, bool memory);
+
 }  // namespace options

@@ -104,6 +104,7 @@ void boundaries_and_cells_are_checked() {
 rc_status strip_window(const rc_host*, const rc_kernel_spec* spec, std::int64_t first_x, std::int64_t first_y, std::int64_t mx,
                        std::int64_t my, double* out) {
   const rc_system& s = *spec->system;
+  const Spoilt& spoilt = support::decay_of(spec);
   const auto folded = [](std::int64_t offset, std::int64_t period) {
     return std::min(offset % period, period - offset % period);
   };
@@ -111,7 +112,7 @@ rc_status strip_window(const rc_host*, const rc_kernel_spec* spec, std::int64_t 
     for (std::int64_t ix = first_x; ix < first_x + mx; ++ix) {
       const std::int64_t x = s.boundary == RC_BOUNDARY_PERIODIC_X ? folded(ix, s.nx) : ix,
                          y = s.boundary == RC_BOUNDARY_PERIODIC_Y ? folded(iy, s.ny) : iy;
-      *out++ = (ix == of(spec).x && iy == of(spec).y ? of(spec).factor : 1) * std::exp(-static_cast<double>(x + y));
+      *out++ = (ix == spoilt.x && iy == spoilt.y ? spoilt.factor : 1) * std::exp(-static_cast<double>(x + y));
     }
   return RC_OK;
 }
@@ -158,7 +159,7 @@ void coefficients_must_not_depend_on_the_window() {
   rc_kernel kernel = decay(spoilt);
   kernel.window = [](const rc_host* host, const rc_kernel_spec* spec, std::int64_t first_x, std::int64_t first_y, std::int64_t mx,
                      std::int64_t my, double* out) {
-    decay_window(host, spec, first_x, first_y, mx, my, out);
+    support::decay_window(host, spec, first_x, first_y, mx, my, out);
     for (std::int64_t i = 0; i < mx * my; ++i) out[i] /= first_x == 0 ? 1 : 2;
     return rc_status{RC_OK};
   };
