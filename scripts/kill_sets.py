@@ -1,17 +1,17 @@
 #!/usr/bin/env python3
 """Tells which tests notice changes of single operators, so that tests may be deleted or replaced without a loss.
 
-Usage: kill_sets.py BUILD --sources PATTERNS --tests REGEX [--draw N] [--seed N] [--all] [--jobs N]
-       kill_sets.py BUILD --again FILE --tests REGEX [--jobs N]
+Usage: kill_sets.py BUILD --sources PATTERNS --tests REGEX [--targets NAMES] [--draw N] [--seed N] [--all] [--jobs N]
+       kill_sets.py BUILD --again FILE --tests REGEX [--targets NAMES] [--jobs N]
 
 BUILD: a build folder of this tree with its tests, such as build-gcc. Of the changes that scripts/switched.py knows of the sources
 ("src/law/*.cpp flow/*.cpp"), N are drawn (300), put into their files at once, each behind its number, and what the tests need is
-built once. Then RC_CHANGE turns on one after the other: the first seeds of `scenes` and the tests called REGEX run, the short ones
-first, up to the first that fails. A line for each change says who notices it. The files are restored at the end and after
-Ctrl-C; files with changes of your own are refused. --all: all these tests run for each change, and a table says how many each
-notices, and which it notices alone.
+built once. Then RC_CHANGE turns on one after the other: the tests called REGEX run ("^law|^scenes$"), the short ones first, of
+`scenes` the first seeds, up to the first that fails. A line for each change says who notices it. The files are restored at the end
+and after Ctrl-C; files with changes of your own are refused. --targets: what the tests need beside their own programs, such as
+roughcontact_command. --all: all these tests run for each change, and a table says how many each notices, and which it notices alone.
 --again: what FILE, the output of an earlier run before tests were deleted, calls noticed, instead of a draw. If no test notices a
-change any more, the other seeds of `scenes` run, and if these do not either, it is lost. Exit status: 1 if any is.
+change any more, the other seeds of `scenes` run if REGEX has it, and if these do not either, it is lost. Exit status: 1 if any is.
 """
 
 import argparse
@@ -74,7 +74,7 @@ class Test:
 
 
 def tests_of(build, pattern):
-    """Those that pass without a change."""
+    """Those that pass without a change, the short ones first."""
     shown = subprocess.run(
         ["ctest", "--test-dir", build, "--show-only=json-v1", "-R", pattern, "-LE", "full"],
         capture_output=True,
@@ -85,23 +85,17 @@ def tests_of(build, pattern):
     for test in json.loads(shown.stdout)["tests"]:
         properties = {each["name"]: each["value"] for each in test.get("properties", [])}
         fixtures |= set(properties.get("FIXTURES_REQUIRED", []))
-        if not any("REGULAR_EXPRESSION" in name for name in properties) and not test["name"].startswith("scenes"):
-            found.append(Test(test["name"], test["command"], properties))
+        seeds = ["--stop", "--seeds", faults.FIRST_SEEDS] if test["name"] == "scenes" else []
+        if not any("REGULAR_EXPRESSION" in name for name in properties):
+            found.append(Test(test["name"], [*test["command"], *seeds], properties))
     for fixture in fixtures:
         subprocess.run(["ctest", "--test-dir", build, "-R", f"^{fixture}$"], check=True, capture_output=True)
     for test in list(found):
         if test.fails(0):
-            print(f"{test.name} fails without a change and is left out", flush=True)
+            test.said.seek(0)
+            print(f"{test.name} fails without a change and is left out:\n{test.said.read().decode()[-2000:]}", flush=True)
             found.remove(test)
-    return found
-
-
-def scenes(build, seeds):
-    test = Test("scenes", [build / "bin/test_scenes", "--stop", "--seeds", seeds])
-    if test.fails(0):
-        test.said.seek(0)
-        sys.exit(f"`scenes` fails without a change:\n{test.said.read().decode()[-4000:]}")
-    return test
+    return sorted(found, key=lambda test: test.seconds)
 
 
 def known(patterns):
@@ -123,18 +117,21 @@ def build_with(build, wanted, targets, jobs):
         numbered[mutant.file][mutant.line].append((mutant.number, mutant.change))
     on = ["-k", "0"] if (build / "build.ninja").exists() else ["-k"]
 
+    said = []
+
     def messages():
         run = subprocess.run(
             ["cmake", "--build", build, "--parallel", str(jobs), "--target", *sorted(targets), "--", *on],
             capture_output=True,
             text=True,
         )
-        return run.stdout.split("FAILED: ")[1:] or [run.stdout + run.stderr] if run.returncode else []
+        said[:] = run.stdout.split("FAILED: ")[1:] or [run.stdout + run.stderr]
+        return said if run.returncode else []
 
     sources = {mutants.ROOT / file: (file, (mutants.ROOT / file).read_text(), each) for file, each in numbered.items()}
     found = switched.built(sources, messages)
     if found is None:
-        sys.exit(f"does not build:\n{messages()[0][-4000:]}")
+        sys.exit(f"does not build:\n{said[0][-4000:]}")
     return [mutant for mutant in wanted if mutant.number in set(found)]
 
 
@@ -162,6 +159,7 @@ def main():
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("--sources", default="")
     parser.add_argument("--tests", required=True)
+    parser.add_argument("--targets", default="")
     parser.add_argument("--draw", type=int, default=300)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--all", action="store_true")
@@ -182,11 +180,14 @@ def main():
     build = arguments.build.resolve()
     _, targets = faults.tests_of(build, arguments.tests)
     with faults.restored(sorted({mutant.file for mutant in wanted})):
-        drawn, wanted = len(wanted), build_with(build, wanted, targets | {"test_scenes"}, arguments.jobs)
-        tests = sorted([scenes(build, faults.FIRST_SEEDS), *tests_of(build, arguments.tests)], key=lambda test: test.seconds)
-        if arguments.again:
-            tests.append(scenes(build, faults.OTHER_SEEDS))
-        print(f"{len(wanted)} of {drawn} changes compile; {len(tests)} tests, {sum(test.seconds for test in tests):.0f} s")
+        drawn, wanted = len(wanted), build_with(build, wanted, targets | set(arguments.targets.split()), arguments.jobs)
+        tests = tests_of(build, arguments.tests)
+        if arguments.again and any(test.name == "scenes" for test in tests):
+            tests.append(Test("scenes", [build / "bin/test_scenes", "--stop", "--seeds", faults.OTHER_SEEDS]))
+        print(
+            f"{len(wanted)} of {drawn} changes compile; {len(tests)} tests, {sum(test.seconds for test in tests):.0f} s",
+            flush=True,
+        )
         found = []
         with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
             for mutant, who in zip(wanted, pool.map(lambda each: who_notices(each, tests, arguments.all), wanted)):
