@@ -88,22 +88,6 @@ def test_progress_sees_and_stops(rough):
     assert rc.solve(rough, **how, progress=lambda p: p.iteration >= 3, check=False).status == rc.Status.STOP_CANCELLED
 
 
-def test_a_callback_cannot_use_the_contact_that_calls_it(rough):
-    caught = []
-
-    def progress(_):
-        for call in (lambda: contact.solve(approach=1e-7), contact.close, contact.reset):
-            try:
-                call()
-            except rc.BusyError as error:
-                caught.append(error.status)
-        return True
-
-    with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9), options={"solver": "gp"}, progress=progress) as contact:
-        contact.solve(rough, approach=1e-7, check=False)
-    assert caught == [rc.Status.ERR_BUSY] * 3
-
-
 def test_own_matrix_in_every_layout(small_matrix):
     gap = np.linspace(0, 2, 12)
     expected = rc.solve(undeformed_gap=gap, approach=1.5, system=rc.Matrix(small_matrix, pitch=1))

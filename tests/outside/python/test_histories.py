@@ -9,25 +9,6 @@ from conftest import refused
 import roughcontact as rc
 
 
-def test_each_step_tells_its_points(rough):
-    seen = []
-
-    def each(k, result):
-        seen.append(contact.points())
-        assert np.array_equal(seen[-1][1], result.pressure.ravel()[seen[-1][0]])
-        refused(rc.BusyError, "callback belongs to", contact.indentation)
-        other = []
-        thread = threading.Thread(target=lambda: other.append(refused(rc.BusyError, "another thread", contact.points)))
-        thread.start()
-        thread.join()
-        assert len(other) == 1
-
-    with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9)) as contact:
-        history = contact.history(rough, approach=[2e-8, 4e-8], each=each)
-        assert [len(index) for index, _ in seen] == history.contacts.tolist() and len(seen) == 2
-        assert np.array_equal(contact.points()[0], seen[-1][0])
-
-
 def test_path_ends_early(rough):
     how = {"modulus": 1e9, "approach": [2e-8, 4e-8, 6e-8]}
     caught = refused(rc.NotCertifiedError, "", rc.history, rough, **how, each=lambda k, result: k == 1)

@@ -37,7 +37,8 @@ def test_every_picture(rough, tmp_path):
         and "patches" in drawn[2].get_title()
     )
     assert drawn[1].get_facecolor()[:3] == matplotlib.colors.to_rgb(rc.plot.DARK) and "2 of 2 steps" in drawn[3].get_title()
-    pyplot.close(figure)
+    assert len(rc.plot.heights(rough.heights, pitch=1.0).images) == 1  # on axes of its own
+    pyplot.close("all")
 
 
 def test_a_law_is_drawn_between_its_bounds(rough):
@@ -56,14 +57,6 @@ def test_a_law_is_drawn_between_its_bounds(rough):
     with pytest.raises(rc.ArgumentError, match="y is 'slope'"):
         law.plot(y="slope")
     pyplot.close("all")
-
-
-def test_axes_are_made_where_none_are_given(rough):
-    from matplotlib import pyplot
-
-    ax = rc.plot.heights(rough.heights, pitch=1.0)
-    assert len(ax.images) == 1
-    pyplot.close(ax.figure)
 
 
 @pytest.mark.parametrize("shape", [(48, 64), (16, 128)])

@@ -22,30 +22,30 @@ def test_errors_belong_to_their_threads():
         assert all(pool.map(fail, range(40)))
 
 
-def test_a_second_thread_is_told(small_matrix):
-    inside, leave = threading.Event(), threading.Event()
+def test_one_caller_at_a_time(rough):
+    """During a history neither its own callback nor another thread may use the contact, but for its points and cancel()."""
+    seen, told = [], []
 
-    def product(x):
-        if armed:
-            inside.set()
-            leave.wait(60)
-        return small_matrix @ x
+    def busy(words, *calls):
+        told.extend(refused(rc.BusyError, words, call).status for call in calls)
 
-    armed = []  # the product is tried when the contact is made
-    with rc.Contact(rc.Product(product, 12, pitch=1)) as contact:
-        armed.append(True)
-        answer = []
-        gap = np.linspace(0, 2, 12)
-        how = {"undeformed_gap": gap, "approach": 1.5, "check": False}
-        worker = threading.Thread(target=lambda: answer.append(contact.solve(**how)))
-        worker.start()
-        assert inside.wait(60)
-        for call in (lambda: contact.solve(approach=1.0), contact.points, contact.close):
-            refused(rc.BusyError, "", call)
-        contact.cancel()
-        leave.set()
-        worker.join()
-        assert answer[0].status == rc.Status.STOP_CANCELLED
+    def each(k, result):
+        seen.append(contact.points())
+        assert np.array_equal(seen[-1][1], result.pressure.ravel()[seen[-1][0]])
+        busy("callback belongs to", contact.indentation, contact.close, contact.reset, lambda: contact.solve(approach=1e-8))
+        thread = threading.Thread(target=busy, args=("another thread", contact.points, contact.close, contact.reset))
+        thread.start()
+        thread.join()
+        if k == 1:
+            other = threading.Thread(target=contact.cancel)
+            other.start()
+            other.join()
+
+    with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9), tol=1e-12) as contact:
+        history = contact.history(rough, approach=[2e-8, 4e-8, 6e-8], each=each, check=False)
+        assert history.status == rc.Status.STOP_CANCELLED and len(history.load) == 2
+        assert [len(index) for index, _ in seen] == history.contacts.tolist() and told == [rc.Status.ERR_BUSY] * 14
+        assert np.array_equal(contact.points()[0], seen[-1][0])
 
 
 def cores(monkeypatch, number, **variables):
