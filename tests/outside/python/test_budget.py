@@ -278,13 +278,6 @@ def test_command_and_report_say_what_dominates(tmp_path):
     assert f"--budget {sources}" in content.command
 
 
-def test_the_range_of_a_leak_begins_at_0_if_it_may_close():
-    words = {"leak": "viscosity=1mPas,drop=1bar", "pressure": "1GPa", **STEEL}
-    found = rc.budget(surface(1), "height=60%", against=surface(2), **words)["leak"]
-    assert found.coverage * found.standard > found.value > 0
-    assert ", 0 to " in found.sentence and "so not linear" in found.sentence
-
-
 def test_the_leak_has_a_budget():
     try:
         rc.raw.flow_library()
@@ -304,3 +297,5 @@ def test_the_leak_has_a_budget():
         flows.append(rc.solve(scaled[0], **{**pressed, "against": scaled[1]}).leak(**fluid).flow)
     assert found["height"].standard == pytest.approx(abs(flows[1] - flows[0]) / 2, rel=1e-4)
     assert found["shift"].standard > 0 and "m^3/s" in found.sentence
+    most = rc.budget(surface(1), "height=60%", against=surface(2), **{**words, "pressure": "1GPa"})["leak"]  # it may close
+    assert most.coverage * most.standard > most.value > 0 and ", 0 to " in most.sentence and "so not linear" in most.sentence

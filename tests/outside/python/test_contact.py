@@ -35,6 +35,10 @@ def test_borrowed_arrays_live_as_long_as_they_are_used(rough):
         assert np.array_equal(contact.solve(approach=5e-8, warm_start=False).pressure, first.pressure)
         contact.solve(rough, approach=5e-8)
         assert seen() is None
+        contact.solve(undeformed_gap=rough.undeformed_gap(), approach=5e-8, borrow=True)
+        for _ in range(5):
+            contact.solve(mask=np.ones(rough.shape, bool), approach=5e-8, borrow=True)
+        assert len(contact._borrowed) <= 2
 
 
 def test_certify_judges_pressures(rough):

@@ -30,14 +30,6 @@ def test_a_product_may_keep_what_it_is_given(small_matrix):
     assert [x.sum() for x in kept] == sums and all(x.base is None or x.base.base is None for x in kept)
 
 
-def test_borrowed_masks_are_let_go(half_space, sphere_gap):
-    with rc.Contact(half_space) as contact:
-        contact.solve(undeformed_gap=sphere_gap, approach=3e-7, borrow=True)
-        for _ in range(5):
-            contact.solve(mask=np.ones((64, 64), bool), approach=3e-7, borrow=True)
-        assert len(contact._borrowed) <= 2 and np.shares_memory(contact._borrowed[0][0], sphere_gap)
-
-
 @pytest.mark.parametrize("text", ["gp\0x", "gp\ud800"])
 def test_text_that_c_would_cut_off_is_refused(text, half_space):
     for options in ({"solver": text}, {text: 1}):

@@ -29,17 +29,6 @@ def test_a_file_that_only_the_other_package_reads(stored, rough):
     assert np.array_equal(rc.solve(stored, pitch=1e-6, **press).pressure, expected.pressure)
 
 
-def test_what_neither_reads(tmp_path):
-    (tmp_path / "a.opd").write_bytes(b"something")
-    with pytest.raises(rc.ArgumentError, match="unknown format.*nor does SurfaceTopography"):
-        rc.read(tmp_path / "a.opd")
-
-
-def test_our_formats_are_read_by_us(tmp_path, rough):
-    np.save(tmp_path / "a.npy", rough.heights)
-    assert "SurfaceTopography" not in rc.read(tmp_path / "a.npy", pitch=1e-6).assumed
-
-
 def test_a_topography_is_a_surface(rough):
     sizes = (rough.shape[0] * 1.0, rough.shape[1] * 1.0)
     own = topographies.Topography(rough.heights * 1e6, physical_sizes=sizes, unit="um", periodic=True)

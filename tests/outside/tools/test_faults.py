@@ -92,7 +92,7 @@ class Folder(CommandTest):
     def test_files_of_others_are_not_overwritten(self):
         surface = self.npy(paraboloid(24))
         (self.folder / "out").mkdir()
-        for name, contents in (("pressure-2.npy", "mine"), ("gap-1.npy", "mine"), ("contact-1.png", "mine"), ("history.png", "mine"), ("steps.csv", "mine"), ("summary.json", "mine"), ("summary.json", "{}"),
+        for name, contents in (("pressure-2.npy", "mine"), ("gap-1.npy", "mine"), ("contact-1.png", "mine"), ("history.png", "mine"), ("step-1.h5", "mine"), ("steps.csv", "mine"), ("summary.json", "mine"), ("summary.json", "{}"),
                                ("summary.json", "[" * 100000), ("summary.json", '{"input": {"targets": 1}, "steps": [{}]}')):
             with self.subTest(name=name, contents=contents[:50]):
                 self.file("out/" + name, contents)

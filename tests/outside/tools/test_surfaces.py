@@ -2,7 +2,7 @@
 import json
 
 import harness
-from harness import CommandTest, np, rough, without_gnuplot
+from harness import CommandTest, np, rough
 
 
 def read_gsf(contents):
@@ -86,12 +86,6 @@ class Analyze(CommandTest):
         for name in ("it's 100%.npy", "a{b}_c^d.npy", "\u00fcber.npy"):
             done = self.run_command("analyze", self.npy(rough(), name), "--pitch", "1um", "--unit", "m", "--picture", "psd.png")
             self.assertEqual((done.returncode, done.stderr.replace("roughcontact: gnuplot not found: psd.png not drawn\n", "")), (0, ""))
-
-    def test_without_gnuplot_the_rest_is_done(self):
-        found, done = self.analyze(self.npy(rough()), "--pitch", 1e-6, "--picture", "psd.png", env=without_gnuplot())
-        self.assertIn("gnuplot not found", done.stderr)
-        self.assertNotIn("psd.png", self.names())
-        self.assertGreater(found["statistics"]["rms_height"], 0)
 
     def test_odd_surfaces(self):
         self.assert_fails("analyze", self.npy(np.ones((32, 32))), "--pitch", 1, "--unit", "m", "--json", "a.json", says="flat")
