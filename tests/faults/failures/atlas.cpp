@@ -5,16 +5,6 @@
 
 namespace failures {
 
-Problem problem_of(const Scene& scene) {
-  Problem problem;
-  problem.system = scene.system;
-  problem.kernel = scene.kernel;
-  problem.gap = scene.gap;
-  problem.mask = scene.mask;
-  problem.target = scene.approach;
-  return problem;
-}
-
 Answer truth_of(const Problem& problem) { return solved(problem, {"nnls", "dense"}, {{"tol", "1e-12"}}); }
 
 std::vector<std::string> solvers_on(const std::string& backend, const Problem& problem) {

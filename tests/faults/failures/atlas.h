@@ -10,9 +10,6 @@
 
 namespace failures {
 
-using namespace pairs;
-
-Problem problem_of(const Scene& scene);
 // The trusted answer: by nnls on the dense backend, to 1e-12.
 Answer truth_of(const Problem& problem);
 

@@ -7,23 +7,13 @@
 
 namespace failures {
 
-struct MeasuredSurface {
-  std::string name;
-  std::int64_t nx = 0, ny = 0;
-  double hx = 1, hy = 1;
-  Field heights;
-};
-
-// Any format that the command reads; throws.
-MeasuredSurface read_measured(const std::string& file);
-
-// Approach half of the height of the highest point above the mean.
-Scene scene_of(const MeasuredSurface& surface);
+// Approach half of the height of the highest point above the mean. Any format that the command reads; throws.
+Problem measured_problem(const std::string& file);
 
 struct CmrVerdict {
   bool trustworthy = false;
   double unresolved = 0;
 };
-CmrVerdict cmr_verdict(const Scene& scene, std::int32_t halvings);
+CmrVerdict cmr_verdict(const Problem& problem, std::int32_t halvings);
 
 }  // namespace failures

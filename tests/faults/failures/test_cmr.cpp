@@ -46,11 +46,7 @@ void advice_tells_the_classes_apart() {
   if (quick()) throw Skipped("left out of the reduced set");
   for (const SurfaceClass& surface : surface_classes()) {
     const Problem problem = pressed(surface, 1);
-    Scene scene;
-    scene.system = problem.system;
-    scene.gap = problem.gap;
-    scene.approach = problem.target;
-    const CmrVerdict verdict = cmr_verdict(scene, 2);
+    const CmrVerdict verdict = cmr_verdict(problem, 2);
     const double error = check_cascade(problem, "mean").plain_error;
     report(surface.name + ": unresolved " + text(verdict.unresolved) + ", load off by " + text(100 * error) + " %");
     if (verdict.trustworthy) check(std::abs(error) < 0.1, surface.name + ": called trustworthy");

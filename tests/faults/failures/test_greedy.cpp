@@ -21,7 +21,7 @@ struct Count {
 };
 
 Count count_failures(const std::string& kernel, std::int64_t side, std::int64_t spacing, std::int64_t draws) {
-  Problem problem = problem_of(example_one(side, spacing, 0));
+  Problem problem = example_one(side, spacing, 0);
   problem.kernel = kernel;
   const Contact eliminating(problem, greedy, exact), reference(problem, {"nnls", "dense"}, {{"tol", "1e-10"}});
   Count count;

@@ -5,7 +5,6 @@
 
 #include "cascade.h"
 #include "measured_surface.h"
-#include "rough_surface.h"
 
 namespace failures {
 
@@ -22,16 +21,9 @@ std::vector<std::string> surface_files(const std::string& folder) {
   return files;
 }
 
+// Less deep where most of the surface would touch.
 Problem pressed(const std::string& file) {
-  const MeasuredSurface surface = read_measured(file);
-  Problem problem;
-  problem.system.nx = surface.nx;
-  problem.system.ny = surface.ny;
-  problem.system.hx = surface.hx;
-  problem.system.hy = surface.hy;
-  problem.gap = gap_below_highest(surface.heights);
-  // Half of the highest point's height, less where most of the surface would touch.
-  problem.target = mean_of(problem.gap) / 2;
+  Problem problem = measured_problem(file);
   for (int halvings = 0; halvings < 6; ++halvings) {
     const Answer loose = solve(problem, {"polonsky-keer", "fft"}, {{"tol", "1e-2"}});
     if (static_cast<double>(loose.result.contacts) <= densest * static_cast<double>(problem.points())) break;

@@ -15,9 +15,14 @@ from faulted import CRASHES, Faulted, spread, take_arguments  # noqa: E402
 from harness import CommandTest, np, rough  # noqa: E402
 
 HISTORY = ["--pitch", "1e-6", "--modulus", "1e9", "--approach", "1e-7,2e-7", "--out", "out", "--quiet"]
-SOLVERS = {"dense": "nnls", "fft": "polonsky-keer"}
+SOLVERS = {"dense": "nnls", "fft": "polonsky-keer", "split": "haar-cg"}
+HARD = ["--hardness", "5e7"]
 RUNS, LONG = 25, 2000  # faults of a sweep, spread evenly over its calls
 LARGE = 1 << 16  # bytes; FFTW's planner ends the process where it gets less than that and larger ones just succeeded, see docs/development/errors.md
+
+
+def by(backend, solver):
+    return ["--backend", backend, "--solver", solver, *(["--boundary", "free"] if backend == "split" else [])]
 
 
 class Sweeps(CommandTest):
@@ -91,12 +96,15 @@ class Sweeps(CommandTest):
 
     def test_large_allocations(self):
         surface = self.npy(rough(128, 128))
-        for backend in ((), ("--backend", "fft", "--solver", "polonsky-keer")):
-            self.sweep(self.faulted(["solve", surface, *HISTORY, *backend]), "alloc", least=LARGE)
+        for pair in ("auto*auto", "fft*polonsky-keer", "split*haar-cg", "fft*haar-cg"):
+            for more in ([], HARD):
+                self.sweep(self.faulted(["solve", surface, *HISTORY, *by(*pair.split("*")), *more]), "alloc", least=LARGE)
 
-    def sweep_backend(self, backend, solver):
+    def sweep_backend(self, backend, *solvers):
         if backend in self.run_command("backends").stdout:
-            self.sweep(self.faulted(["solve", self.npy(rough(32, 32)), *HISTORY, "--backend", backend, "--solver", solver]), "alloc")
+            for solver in solvers:
+                for more in ([], HARD):
+                    self.sweep(self.faulted(["solve", self.npy(rough(32, 32)), *HISTORY, *by(backend, solver), *more]), "alloc")
 
     def test_allocations_with_each_backend(self):
         for backend, solver in SOLVERS.items():
@@ -104,7 +112,7 @@ class Sweeps(CommandTest):
 
     def test_allocations_with_cholmod(self):
         """Also run with each BLAS that is installed."""
-        self.sweep_backend("cholmod", "nnls")
+        self.sweep_backend("cholmod", "nnls", "admm")
 
     def test_every_kth_allocation(self):
         faulted = self.faulted(["solve", self.npy(rough(32, 32)), *HISTORY])

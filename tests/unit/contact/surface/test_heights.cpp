@@ -1,10 +1,9 @@
-// Moments and slopes of the heights that a step reads, against plain sums over the included points.
+// Slopes of the heights that a step reads, against plain sums over the included points. Moments: tests/mutants.
 #include <cmath>
 #include <cstdint>
 #include <random>
 #include <vector>
 
-#include "contact/surface/height_moments.h"
 #include "contact/surface/rms_slope.h"
 #include "contact/surface/step_surface.h"
 #include "core/thread_team.h"
@@ -33,22 +32,6 @@ struct Heights {
   std::vector<std::uint8_t> mask;
 };
 
-void moments_are_those_of_included_points(void**) {
-  const ThreadTeam team(2);
-  for (const bool masked : {false, true}) {
-    const Heights given(masked);
-    const StepSurface surface({nx, ny, given.gap, given.mask, false}, team);
-    double n = 0, mean = 0, square = 0;
-    for (std::int64_t i = 0; i < nx * ny; ++i)
-      if (given.included(i)) mean += given.at(i) - surface.lowest(), ++n;
-    mean /= n;
-    for (std::int64_t i = 0; i < nx * ny; ++i)
-      if (given.included(i)) square += std::pow(given.at(i) - surface.lowest() - mean, 2);
-    assert_true(std::abs(surface.moments().mean - mean) <= 1e-12 * mean);
-    assert_true(std::abs(surface.moments().square - square) <= 1e-12 * square);
-  }
-}
-
 void slopes_are_those_of_neighbours(void**) {
   const ThreadTeam team(2);
   for (const bool masked : {false, true}) {
@@ -72,7 +55,6 @@ void slopes_are_those_of_neighbours(void**) {
 
 int main() {
   const CMUnitTest tests[] = {
-      cmocka_unit_test(moments_are_those_of_included_points),
       cmocka_unit_test(slopes_are_those_of_neighbours),
   };
   return cmocka_run_group_tests(tests, nullptr, nullptr);
