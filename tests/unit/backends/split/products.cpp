@@ -185,4 +185,16 @@ void modelled_points_follow_the_domain(void**) {
   assert_int_equal(op.modelled(), 2 * 256 + 16 * 8);  // 3000 is 187 tiles and half of one
 }
 
+const std::vector<CMUnitTest> product_tests = {
+    cmocka_unit_test(every_kernel_is_accurate),
+    cmocka_unit_test(every_spacing_is_accurate),
+    cmocka_unit_test(cells_need_not_be_square),
+    cmocka_unit_test(any_domain_is_accurate),
+    cmocka_unit_test(a_growing_domain_equals_a_fresh_operator),
+    cmocka_unit_test(pressure_far_from_the_domain_s_middle_counts),
+    cmocka_unit_test(results_do_not_depend_on_threads),
+    cmocka_unit_test(long_cells_and_periodic_grids_are_refused),
+    cmocka_unit_test(modelled_points_follow_the_domain),
+};
+
 }  // namespace split

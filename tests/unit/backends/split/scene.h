@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "fixtures.h"
+#include "support/cmocka.hpp"
 
 namespace split {
 
@@ -73,21 +74,6 @@ double largest(const Vector& values);
 // 1: all; smaller in slow builds.
 double effort();
 
-// The tests.
-void every_kernel_is_accurate(void** state);
-void every_spacing_is_accurate(void** state);
-void cells_need_not_be_square(void** state);
-void any_domain_is_accurate(void** state);
-void a_growing_domain_equals_a_fresh_operator(void** state);
-void pressure_far_from_the_domain_s_middle_counts(void** state);
-void results_do_not_depend_on_threads(void** state);
-void long_cells_and_periodic_grids_are_refused(void** state);
-void modelled_points_follow_the_domain(void** state);
-void screen_finds_what_overlaps(void** state);
-void screen_proves_no_more_than_holds(void** state);
-void screen_counts_beyond_its_room(void** state);
-void screen_of_nothing_finds_all_below_the_approach(void** state);
-void parts_of_a_screen_and_known_lowest_gaps_change_nothing(void** state);
-void tiles_known_to_lie_apart_are_not_looked_at(void** state);
+extern const std::vector<CMUnitTest> product_tests, screen_tests;
 
 }  // namespace split

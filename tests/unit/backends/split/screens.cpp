@@ -250,4 +250,13 @@ void tiles_known_to_lie_apart_are_not_looked_at(void**) {
   assert_int_equal(found(lowest.data()), 0);
 }
 
+const std::vector<CMUnitTest> screen_tests = {
+    cmocka_unit_test(screen_finds_what_overlaps),
+    cmocka_unit_test(screen_proves_no_more_than_holds),
+    cmocka_unit_test(screen_counts_beyond_its_room),
+    cmocka_unit_test(screen_of_nothing_finds_all_below_the_approach),
+    cmocka_unit_test(parts_of_a_screen_and_known_lowest_gaps_change_nothing),
+    cmocka_unit_test(tiles_known_to_lie_apart_are_not_looked_at),
+};
+
 }  // namespace split
