@@ -19,7 +19,9 @@ def blocks(document=DOCUMENT):
     return re.findall(r"^```python\n(.*?)^```", document.read_text(), re.M | re.S)
 
 
-@pytest.mark.parametrize("page, printed", [("docs/python.md", r"\n+prints\n+```\n"), ("README.md", r"[^`]*?```sh\n.*?```\n+```text\n")])
+@pytest.mark.parametrize(
+    "page, printed", [("docs/python.md", r"\n+prints\n+```\n"), ("README.md", r"[^`]*?```sh\n.*?```\n+```text\n")]
+)
 def test_the_first_program_runs_in_an_empty_folder_as_printed(page, printed, tmp_path):
     document = DOCUMENT.parents[1] / page
     (tmp_path / "press.py").write_text(blocks(document)[0])

@@ -66,7 +66,10 @@ def test_files_keep_what_a_surface_is(tmp_path, whole, periodic):
         assert again.pitch == pytest.approx((0.1, 2.0), rel=1e-14) and found.periodic is periodic and found.assumed == ""
     for name in ("f.gsf", "g.nc"):
         rc.Surface(whole, (0.5, 2.0), mask=whole > -80).save(tmp_path / name)
-        assert np.array_equal(rc.read(tmp_path / name).missing, whole <= -80) and "without a unit" in rc.read(tmp_path / name).assumed
+        assert (
+            np.array_equal(rc.read(tmp_path / name).missing, whole <= -80)
+            and "without a unit" in rc.read(tmp_path / name).assumed
+        )
     rc.Surface(holed, (0.5, 2.0), periodic).save(tmp_path / "a.npy")
     array = rc.read(tmp_path / "a.npy", pitch=(0.5, 2.0))
     assert np.array_equal(array.heights, holed, equal_nan=True) and array.periodic is None

@@ -36,7 +36,9 @@ def test_a_contact_goes_on_in_another(rough):
 
 def test_what_has_no_time_is_refused(rough):
     system = rc.HalfSpace.under(rough, **CREEPS)
-    refused(rc.ArgumentError, r"creep has shape \(2,\)", rc.history, rough, modulus=1e9, creep=[1, 2], approach=[1e-7], time=[0])
+    refused(
+        rc.ArgumentError, r"creep has shape \(2,\)", rc.history, rough, modulus=1e9, creep=[1, 2], approach=[1e-7], time=[0]
+    )
     refused(rc.ArgumentError, "creep and system", rc.history, rough, system=system, creep=TERMS, approach=[1e-7], time=[0])
     refused(rc.IncompatibleError, "creep_terms", rc.law, rough, system=system, pressure=(1e5, 1e6))
     with rc.Contact(system) as contact:

@@ -71,7 +71,9 @@ def calls():
         "step": lambda: contact.solve(undeformed_gap=gap, approach=1.0),
         "refused": lambda: refused(rc.OptionError, "", rc.solve, undeformed_gap=gap, **how, options={"unknown": 1}),
         "product": lambda: rc.solve(undeformed_gap=np.ones(30), approach=2.0, system=rc.Product(H.dot, 30, pitch=1)),
-        "path": lambda: rc.history(undeformed_gap=gap, pitch=1.0, modulus=1.0, boundary="free", approach=[1.0], each=lambda k, r: None),
+        "path": lambda: rc.history(
+            undeformed_gap=gap, pitch=1.0, modulus=1.0, boundary="free", approach=[1.0], each=lambda k, r: None
+        ),
     }
 
 

@@ -50,7 +50,9 @@ def test_bars_count_iterations_and_steps(rough, bars):
     assert bar.said.startswith("residual ") and bar.seen == sorted(bar.seen)
     loads = {"modulus": 1e9, "load": [1e-4, 2e-4, 3e-4]}
     rc.history(rough, **loads, progress=True)
-    assert (bars[-1].total, bars[-1].n, bars[-1].unit, bars[-1].open) == (3, 3, " steps", False) and {1, 2, 3} <= set(bars[-1].seen)
+    assert (bars[-1].total, bars[-1].n, bars[-1].unit, bars[-1].open) == (3, 3, " steps", False) and {1, 2, 3} <= set(
+        bars[-1].seen
+    )
     for threads in (1, 2):
         rc.batch([rough, rough], **loads, threads=threads, progress=True)
         assert (bars[-1].total, bars[-1].n) == (6, 6)

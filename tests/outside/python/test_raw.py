@@ -43,9 +43,6 @@ def test_a_new_struct_has_the_values_of_the_macros():
 
 
 def test_results_have_all_members_of_the_structs():
-    for classes, struct in (
-        ((rc.Result, rc.Accuracy), raw.rc_result),
-        ((rc.surface.Statistics,), raw.rc_surface_statistics),
-    ):
+    for classes, struct in (((rc.Result, rc.Accuracy), raw.rc_result), ((rc.surface.Statistics,), raw.rc_surface_statistics)):
         members = {name for name, _ in struct._fields_} - {"struct_size", "reserved", "p"}
         assert members <= {each.name for fields in map(dataclasses.fields, classes) for each in fields}
