@@ -200,6 +200,22 @@ const Exact& Case::exact(std::size_t k, bool tied) const {
   return *kept;
 }
 
+rc_state state_after(const std::vector<StepAnswer>& answers, std::size_t k, const Surface& surface, bool before) {
+  rc_state state = RC_STATE_INIT;
+  const StepAnswer& last = answers[k];
+  state.undeformed_gap = RC_IN(surface.gap.data());
+  state.mask = RC_IN(surface.mask.empty() ? nullptr : surface.mask.data());
+  state.p = RC_IN(last.p.data());
+  state.approach = last.result.approach;
+  state.load = last.result.load;
+  state.indentation = RC_IN(last.indentation_after.empty() ? nullptr : last.indentation_after.data());
+  if (!before) return state;
+  state.p_before = RC_IN(answers[k - 1].p.data());
+  state.approach_before = answers[k - 1].result.approach;
+  state.load_before = answers[k - 1].result.load;
+  return state;
+}
+
 Real Case::cap() const {
   return scene_.hard() ? static_cast<Real>(scene_.system.hardness) : std::numeric_limits<Real>::infinity();
 }

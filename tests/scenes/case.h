@@ -1,6 +1,8 @@
 // A scene, the library's answers to its steps, and the exact ones.
 #pragma once
 
+#include <roughcontact/history.h>
+
 #include <memory>
 
 #include "oracle.h"
@@ -19,6 +21,9 @@ struct StepAnswer {
 };
 
 using Handle = std::unique_ptr<rc_contact, pairs::DestroyContact>;
+
+/** For rc_contact_restore: after answer k. before: the answer before it pressed the same surface. */
+rc_state state_after(const std::vector<StepAnswer>& answers, std::size_t k, const Surface& surface, bool before);
 
 /** Owns what a system points to. */
 class Case {

@@ -58,7 +58,11 @@ class Creeps final : public Property {
     if (kept_.size() < 2) return "not certified";
     if (first.p0.empty()) follow(c, opened().get(), system, options.get());
     const Handle restored = opened();
-    restore(c, restored.get(), kept_.size() - 2);
+    const std::size_t k = kept_.size() - 2;
+    rc_state state = state_after(kept_, k, c.surface(0), k > 0);
+    state.creep = RC_IN(left_[k].data());
+    state.time = static_cast<double>(time_[k]);
+    need(rc_contact_restore(restored.get(), &state) == RC_OK, std::string("rc_contact_restore: ") + rc_last_error());
     step.target = target_.back();
     step.time = static_cast<double>(time_.back());
     restored_ = c.solve(restored.get(), step);
@@ -129,26 +133,6 @@ class Creeps final : public Property {
     batch.p = RC_OUT(p_.data());
     batch.columns.load = RC_OUT(loads_.data() + steps);
     need(rc_batch_solve(&system, options, &batch) == RC_OK, std::string("rc_batch_solve: ") + rc_last_error());
-  }
-
-  void restore(const Case& c, rc_contact* contact, std::size_t k) const {
-    rc_state state = RC_STATE_INIT;
-    const Surface& surface = c.surface(0);
-    const StepAnswer& last = kept_[k];
-    state.undeformed_gap = RC_IN(surface.gap.data());
-    state.mask = RC_IN(surface.mask.empty() ? nullptr : surface.mask.data());
-    state.p = RC_IN(last.p.data());
-    state.approach = last.result.approach;
-    state.load = last.result.load;
-    state.indentation = RC_IN(last.indentation_after.empty() ? nullptr : last.indentation_after.data());
-    state.creep = RC_IN(left_[k].data());
-    state.time = static_cast<double>(time_[k]);
-    if (k > 0) {
-      state.p_before = RC_IN(kept_[k - 1].p.data());
-      state.approach_before = kept_[k - 1].result.approach;
-      state.load_before = kept_[k - 1].result.load;
-    }
-    need(rc_contact_restore(contact, &state) == RC_OK, std::string("rc_contact_restore: ") + rc_last_error());
   }
 
   void judge_memory(const Case& c, std::size_t k) const {

@@ -219,20 +219,8 @@ class AsRestored final : public Property {
     if (answers.back().status != RC_OK) return "not certified if resumable";
     Random random(scene.seed, 500);
     const auto k = static_cast<std::size_t>(random.below(static_cast<std::int64_t>(scene.steps.size()) - 1));
-    const StepAnswer& last = answers[k];
     const Surface& surface = c.surface(k);
-    rc_state state = RC_STATE_INIT;
-    state.undeformed_gap = RC_IN(surface.gap.data());
-    state.mask = RC_IN(surface.mask.empty() ? nullptr : surface.mask.data());
-    state.p = RC_IN(last.p.data());
-    state.approach = last.result.approach;
-    state.load = last.result.load;
-    state.indentation = RC_IN(last.indentation_after.empty() ? nullptr : last.indentation_after.data());
-    if (k > 0 && same_surface(c.surface(k - 1), surface)) {
-      state.p_before = RC_IN(answers[k - 1].p.data());
-      state.approach_before = answers[k - 1].result.approach;
-      state.load_before = answers[k - 1].result.load;
-    }
+    const rc_state state = state_after(answers, k, surface, k > 0 && same_surface(c.surface(k - 1), surface));
     pairs::check(rc_contact_restore(restored.get(), &state) == RC_OK, std::string("rc_contact_restore: ") + rc_last_error());
     next_ = answers[k + 1];
     after_ = c.solve(restored.get(), scene.steps[k + 1]);

@@ -3,7 +3,6 @@
 #include <roughcontact/derivatives.h>
 #include <roughcontact/history.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -103,26 +102,11 @@ void the_load_found_is_the_last_step() {
         "no indentation after a stop");
 }
 
-void pressures_may_be_single() {
-  const Problem problem = rough(RC_BOUNDARY_PERIODIC);
-  const Contact contact(problem, automatic, settings);
-  rc_step step = problem.step();
-  step.control = RC_CONTROL_AREA;
-  step.target = 0.1 * whole(problem);
-  std::vector<float> p(problem.points());
-  rc_result result = RC_RESULT_INIT;
-  result.p.data = p.data();
-  result.p.type = RC_SINGLE;
-  check(rc_contact_solve(contact.handle(), &step, &result) == RC_OK, rc_last_error());
-  check_equal(std::ranges::count_if(p, [](float each) { return each > 0; }), result.contacts, "points");
-}
-
 std::vector<Test> tests() {
   return {{"the_approach_fits_the_pressures", the_approach_fits_the_pressures},
           {"the_nearest_area_is_in_the_note", the_nearest_area_is_in_the_note},
           {"an_area_that_no_load_reaches", an_area_that_no_load_reaches},
-          {"the_load_found_is_the_last_step", the_load_found_is_the_last_step},
-          {"pressures_may_be_single", pressures_may_be_single}};
+          {"the_load_found_is_the_last_step", the_load_found_is_the_last_step}};
 }
 
 }  // namespace

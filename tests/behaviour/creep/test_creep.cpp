@@ -24,12 +24,6 @@ struct Table {
   Field ratio, time;
   std::int32_t by = RC_CREEP_COMPLIANCES;
 
-  void give(rc_system& system) const {
-    system.creep_by = by;
-    system.creep_terms = static_cast<std::int32_t>(ratio.size());
-    system.creep_ratio = RC_IN(ratio.data());
-    system.creep_time = RC_IN(time.data());
-  }
   double compliance(double t) const {
     double sum = 1;
     for (std::size_t k = 0; k < ratio.size(); ++k) sum += ratio[k] * (1 - std::exp(-t / time[k]));
@@ -52,7 +46,10 @@ rc_step at(const Problem& problem, const Step& step) {
 }
 
 Problem creeping(Problem problem, const Table& table) {
-  table.give(problem.system);
+  problem.system.creep_by = table.by;
+  problem.system.creep_terms = static_cast<std::int32_t>(table.ratio.size());
+  problem.system.creep_ratio = RC_IN(table.ratio.data());
+  problem.system.creep_time = RC_IN(table.time.data());
   return problem;
 }
 
@@ -66,17 +63,6 @@ Field creep_of(const Contact& contact, std::size_t values, double* time = nullpt
   Field said(values, -7);
   check(rc_contact_creep(contact.handle(), RC_OUT(said.data()), time) == RC_OK, rc_last_error());
   return said;
-}
-
-rc_history history_of(const Problem& problem, const Field& targets, const Field& times, Field& loads) {
-  rc_history history = RC_HISTORY_INIT;
-  history.control = problem.control;
-  history.n = static_cast<std::int64_t>(targets.size());
-  history.targets = RC_IN(targets.data());
-  history.times = RC_IN(times.data());
-  history.undeformed_gap = RC_IN(problem.gap.data());
-  history.columns.load = RC_OUT(loads.data());
-  return history;
 }
 
 // The elastic problem that a step is, by the memory that the steps before it have left: a softer body, and another gap.
@@ -280,7 +266,13 @@ void what_leaves_nothing() {
 
   const Field targets(3, problem.target), times{2, 3, 5};
   Field loads(3);
-  rc_history history = history_of(problem, targets, times, loads);
+  rc_history history = RC_HISTORY_INIT;
+  history.control = problem.control;
+  history.n = 3;
+  history.targets = RC_IN(targets.data());
+  history.times = RC_IN(times.data());
+  history.undeformed_gap = RC_IN(problem.gap.data());
+  history.columns.load = RC_OUT(loads.data());
   history.virgin = 1;
   check(rc_contact_solve_history(contact.handle(), &history) == RC_OK, rc_last_error());
   unchanged("after a virgin history");

@@ -16,13 +16,6 @@ def rows(separator, z=Z, form="%.4f", comma=False, end=""):
     return "".join(separator.join(row) + end + "\n" for row in fields)
 
 
-def points(order=None, separator=";", comma=False):
-    """x in mm, y in um, z in nm."""
-    lines = ["%.4f\t%.2f\t%.4f\n" % (ix * 5e-4, iy * 0.5, Z[iy, ix]) for iy in range(NY) for ix in range(NX)]
-    text = "".join(lines if order is None else [lines[k] for k in order])
-    return (text.replace(".", ",") if comma else text).replace("\t", separator)
-
-
 class Exports(ReaderTest):
     def assert_right(self, name, text, z=Z, **more):
         """Read, and pressed by the command without further words."""
@@ -34,17 +27,6 @@ class Exports(ReaderTest):
                 "Pixel size;0.5 um\nZ-Unit;nm\n")
         self.assert_right("a.csv", head + rows(";"), note="1 line of numbers before the table is not read")
         self.assert_right("a.csv", "10.5, 3.5, 1\nPixel size: 0.5 um\nZ-Unit: nm\n" + rows(","))
-
-    def test_german_commas(self):
-        head = "Breite: 8,0 µm\nHöhe: 6,0 µm\nEinheiten: nm\n"
-        for separator in (";", "\t", " "):
-            self.assert_right("a.csv", head + rows(separator, comma=True))
-        self.assert_right("a.csv", "Messung 7\n3,5;2\nPixel size;0,5 um\nZ-Unit;nm\n" + rows(";", comma=True))
-
-    def test_units_of_columns(self):
-        self.assert_right("a.csv", "Export of points\nX [mm];Y [um];Z [nm]\n" + points())
-        self.assert_right("a.txt", "X/mm\tY/um\tZ/nm\n" + points(separator="\t", comma=True))
-        self.assert_refused("a.csv", "X [mm];Y [mm];Z [V]\n" + points(), '"V" is not a length')
 
     def test_nanoscope_ascii(self):
         for head in ("Scan size: 8 um\nSamps/line: 16\nLines: 12\nZ-Unit: nm\n", "# Scan Size: 8000 nm\n# Samps/line: 16\n# Number of lines: 12\n# Value units: nm\n"):

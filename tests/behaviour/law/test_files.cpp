@@ -353,16 +353,6 @@ void slopes_may_be_large_and_small() {
   }
 }
 
-void a_name_stands_for_one_law() {
-  const Folder folder("names");
-  const std::string path = folder / "steel.law";
-  check_equal(rc_law_save(usual_law(), path.c_str()), RC_OK, rc_last_error());
-  const rc_law *first = nullptr, *second = nullptr;
-  check_equal(rc_law_open("steel of the test", path.c_str(), &first), RC_OK, rc_last_error());
-  check_equal(rc_law_open("steel of the test", nullptr, &second), RC_OK, rc_last_error());
-  check(first == second && first != nullptr, "two laws of one name");
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -375,7 +365,6 @@ int main(int argc, char** argv) {
                            {"the error of a table is its largest", the_error_of_a_table_is_its_largest},
                            {"rows too near are refused", rows_too_near_are_refused},
                            {"the evaluation stands alone", the_evaluation_stands_alone},
-                           {"slopes may be large and small", slopes_may_be_large_and_small},
-                           {"a name stands for one law", a_name_stands_for_one_law}},
+                           {"slopes may be large and small", slopes_may_be_large_and_small}},
                           argc, argv);
 }

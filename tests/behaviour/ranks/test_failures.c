@@ -55,32 +55,25 @@ typedef struct job {
   rc_step step;
   rc_result result;
   rc_options* options;
+  rows of;
   double *gap, *p;
-  uint8_t* mask;
   int64_t first, count;
 } job;
 
 static job job_of(const scene* s) {
-  job j = {system_of(s), RC_STEP_INIT, RC_RESULT_INIT, NULL, NULL, NULL, NULL, 0, 0};
+  job j = {.system = system_of(s)};
   rc_ranks_rows(&exchange, &j.system, &j.first, &j.count);
-  const size_t n = (size_t)(s->nx * j.count) + 1;
-  j.gap = malloc(n * sizeof(double));
-  j.p = malloc(n * sizeof(double));
-  j.mask = malloc(n);
-  fill_rows(s, j.first, j.count, j.gap, j.mask);
-  j.step.control = s->control;
-  j.step.target = target_of(s);
-  j.step.undeformed_gap.data = j.gap;
-  j.result.p.data = j.p;
-  rc_options_create(NULL, &j.options);
+  j.of = rows_of(s, j.first, j.count);
+  j.gap = j.of.gap;
+  j.p = j.of.p;
+  prepare(s, &j.of, &j.step, &j.result);
+  j.options = options_of(s, 1);
   return j;
 }
 
 static void free_job(job j) {
   rc_options_destroy(j.options);
-  free(j.gap);
-  free(j.p);
-  free(j.mask);
+  free_rows(j.of);
 }
 
 static void disagreements(const scene* s) {
@@ -113,7 +106,7 @@ static void disagreements(const scene* s) {
   check_failed(rc_contact_solve(contact, &j.step, &j.result), ranks > 1 ? RC_ERR_ARGUMENT : RC_OK,
                ranks > 1 ? "disagree on rc_step.target" : "", "another target");
   j.step.target = target;
-  if (rank == last) j.step.mask.data = j.mask;
+  if (rank == last) j.step.mask.data = j.of.mask;
   check_failed(rc_contact_solve(contact, &j.step, &j.result), ranks > 1 ? RC_ERR_ARGUMENT : RC_OK,
                ranks > 1 ? "disagree on rc_step.mask: given and none" : "", "a mask on one rank");
   j.step.mask.data = NULL;

@@ -37,22 +37,16 @@ bool everywhere(const std::string& text) {
 // A contact of a scene, and its answer.
 class Job {
  public:
-  explicit Job(const scene& s) : s_(s), system_(system_of(&s)) {
+  explicit Job(const scene& s) : s_(s), system_(system_of(&s)), options_(options_of(&s, 1)) {
     std::int64_t first = 0, count = 0;
     check(rc_ranks_rows(&exchange, &system_, &first, &count) == RC_OK, s.name, 0, "rows");
-    const auto n = static_cast<std::size_t>(s.nx * count);
-    gap_.resize(n + 1);
-    deformed_.resize(n + 1);
-    p.resize(n + 1);
-    mask_.resize(n + 1);
-    fill_rows(&s, first, count, gap_.data(), mask_.data());
-    rc_options_create(nullptr, &options_);
-    rc_options_set_number(options_, RC_OPT_STIFFNESS, s.stiffness);
-    rc_options_set_text(options_, "haar-cg.products", s.products);
+    rows_ = rows_of(&s, first, count);
+    n_ = static_cast<std::size_t>(s.nx * count);
   }
   ~Job() {
     drop();
     rc_options_destroy(options_);
+    free_rows(rows_);
   }
   Job(const Job&) = delete;
   Job& operator=(const Job&) = delete;
@@ -64,15 +58,10 @@ class Job {
   }
   // Creates the contact, where there is none, and solves. fails_at: the allocation that fails, 0: none; whether it was reached.
   rc_status run(std::int64_t fails_at, bool& failed) {
-    rc_step step = RC_STEP_INIT;
-    step.control = s_.control;
-    step.target = target_of(&s_);
-    step.undeformed_gap.data = gap_.data();
+    rc_step step;
+    rc_result result;
+    prepare(&s_, &rows_, &step, &result);
     step.warm_start = 0;
-    if (s_.mask != whole) step.mask.data = mask_.data();
-    rc_result result = RC_RESULT_INIT;
-    result.p.data = p.data();
-    result.gap.data = deformed_.data();
     support::fail_allocation(fails_at);
     rc_status status = contact_ ? RC_OK : rc_ranks_contact_create(&exchange, &system_, options_, &contact_);
     if (status == RC_OK) status = rc_contact_solve(contact_, &step, &result);
@@ -81,14 +70,14 @@ class Job {
     return status;
   }
 
-  std::vector<double> p;
+  std::vector<double> p() const { return {rows_.p, rows_.p + n_}; }
 
  private:
   const scene& s_;
   const rc_system system_;
-  std::vector<double> gap_, deformed_;
-  std::vector<std::uint8_t> mask_;
-  rc_options* options_ = nullptr;
+  rc_options* const options_;
+  rows rows_{};
+  std::size_t n_ = 0;
   rc_contact* contact_ = nullptr;
 };
 
@@ -98,7 +87,7 @@ void every_allocation(const scene& s, bool anew, std::int64_t dense, std::int64_
   Job job(s);
   bool failed = false;
   check(job.run(0, failed) == RC_OK, s.name, 0, "create and solve");
-  const std::vector<double> known = job.p;
+  const std::vector<double> known = job.p();
   int tried = 0, reached = 1, said = 0;
   for (std::int64_t at = 1; reached; at += at <= dense ? step : at / 8, ++tried) {
     const int victim = tried % ranks;
@@ -111,10 +100,10 @@ void every_allocation(const scene& s, bool anew, std::int64_t dense, std::int64_
     check(everywhere(job.made() ? "made" : "none"), s.name, at, "a contact on every rank or none");
     check(status == RC_OK || (reached && status == RC_ERR_MEMORY), s.name, at, "status");
     said += status != RC_OK;
-    if (status == RC_OK) check(job.p == known, s.name, at, "pressures without that memory");
+    if (status == RC_OK) check(job.p() == known, s.name, at, "pressures without that memory");
     if (tried % 4 == 0) {
       check(job.run(0, failed) == RC_OK, s.name, at, "the solve after it");
-      check(job.p == known, s.name, at, "its pressures");
+      check(job.p() == known, s.name, at, "its pressures");
     }
   }
   check(said > 0, s.name, 0, "failures that were reported");

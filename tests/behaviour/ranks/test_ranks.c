@@ -40,52 +40,6 @@ static uint64_t digest_of(rc_result result) {
   return digest(result.note, strlen(result.note), hash);
 }
 
-typedef struct rows {
-  double *gap, *p, *deformed;
-  float *gap_single, *p_single;
-  uint8_t* mask;
-} rows;
-
-static rows rows_of(const scene* s, int64_t first, int64_t count) {
-  const size_t n = (size_t)(s->nx * count) + 1;
-  rows r = {malloc(n * sizeof(double)), malloc(n * sizeof(double)), malloc(n * sizeof(double)),
-            malloc(n * sizeof(float)),  malloc(n * sizeof(float)),  malloc(n)};
-  fill_rows(s, first, count, r.gap, r.mask);
-  for (int64_t i = 0; i < s->nx * count; ++i) r.gap_single[i] = (float)r.gap[i];
-  return r;
-}
-
-static void free_rows(rows r) {
-  free(r.gap);
-  free(r.p);
-  free(r.deformed);
-  free(r.gap_single);
-  free(r.p_single);
-  free(r.mask);
-}
-
-static void prepare(const scene* s, const rows* r, rc_step* step, rc_result* result) {
-  *step = (rc_step)RC_STEP_INIT;
-  *result = (rc_result)RC_RESULT_INIT;
-  step->control = s->control;
-  step->target = target_of(s);
-  step->undeformed_gap.data = s->single ? (const void*)r->gap_single : r->gap;
-  step->undeformed_gap.type = result->p.type = s->single ? RC_SINGLE : RC_NATIVE;
-  if (s->mask != whole) step->mask.data = r->mask;
-  result->p.data = s->single ? (void*)r->p_single : r->p;
-  result->gap.data = r->deformed;
-}
-
-static rc_options* options_of(const scene* s, int64_t threads) {
-  rc_options* options = NULL;
-  rc_options_create(NULL, &options);
-  rc_options_set_number(options, RC_OPT_THREADS, threads);
-  rc_options_set_text(options, "haar-cg.products", s->products);
-  rc_options_set_number(options, RC_OPT_STIFFNESS, s->stiffness);
-  if (s->kernel) rc_options_set_text(options, RC_OPT_KERNEL, s->kernel);
-  return options;
-}
-
 /* Rows of all ranks, on all of them. */
 static void* all_rows(const void* mine, size_t bytes_of_row, int64_t count, int64_t ny) {
   int *counts = malloc((size_t)ranks * 2 * sizeof(int)), own = (int)((size_t)count * bytes_of_row), at = 0;

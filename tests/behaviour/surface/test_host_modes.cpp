@@ -15,28 +15,6 @@ using Values = std::vector<double>;
 
 void append(Values& all, const Values& more) { all.insert(all.end(), more.begin(), more.end()); }
 
-Values generated() {
-  rc_surface_spectral_spec spectral = RC_SURFACE_SPECTRAL_SPEC_INIT;
-  spectral.nx = spectral.ny = 32;
-  Values all(32 * 32), midpoint(33 * 33);
-  assert_int_equal(rc_surface_spectral(&spectral, all.data()), RC_OK);
-  rc_surface_rmd_spec rmd = RC_SURFACE_RMD_SPEC_INIT;
-  assert_int_equal(rc_surface_rmd(&rmd, 5, 0, midpoint.data()), RC_OK);
-  append(all, midpoint);
-  return all;
-}
-
-Values analyzed(const Values& heights) {
-  rc_surface_map map = RC_SURFACE_MAP_INIT;
-  map.nx = map.ny = 32;
-  map.heights = heights.data();
-  rc_surface_statistics found = RC_SURFACE_STATISTICS_INIT;
-  rc_surface_power_law law = RC_SURFACE_POWER_LAW_INIT;
-  assert_int_equal(rc_surface_analyze(&map, &found), RC_OK);
-  assert_int_equal(rc_surface_fit(&map, &law), RC_OK);
-  return {found.rms_height, found.rms_slope, law.hurst};
-}
-
 // Heights without a gap, less their plane.
 Values read() {
   const std::string text = "# Width: 6 um\n# Height: 4 um\n# Value units: nm\n1 2 3\n4 5 9\n";
@@ -49,8 +27,11 @@ Values read() {
 }
 
 Values all_of_it() {
-  Values all = generated();
-  append(all, analyzed(all));
+  const Grid waves = self_affine(1, 32, 0.8);
+  const rc_surface_statistics found = statistics(waves);
+  Values all = waves.z;
+  append(all, midpoint(1, 5, 0.8).z);
+  append(all, {found.rms_height, found.rms_slope, power_law(waves).hurst});
   append(all, read());
   return all;
 }
