@@ -10,6 +10,7 @@
 #include <map>
 
 #include "draw.h"
+#include "support/callers_product.h"
 #include "support/registry.h"
 
 namespace scenes {
@@ -18,15 +19,6 @@ namespace {
 
 using pairs::check;
 
-int32_t multiply(const double* x, double* y, std::int64_t n, void* user) {
-  const Field& matrix = *static_cast<const Field*>(user);
-  for (std::int64_t i = 0; i < n; ++i) {
-    y[i] = 0;
-    for (std::int64_t j = 0; j < n; ++j) y[i] += matrix[static_cast<std::size_t>(i * n + j)] * x[j];
-  }
-  return 0;
-}
-
 rc_system with_pointers(const Scene& scene) {
   rc_system system = scene.system;
   if (system.op == RC_OPERATOR_DENSE) {
@@ -34,8 +26,8 @@ rc_system with_pointers(const Scene& scene) {
     system.dense_ld = static_cast<std::int64_t>(scene.points());
   }
   if (system.op == RC_OPERATOR_CALLBACK) {
-    system.apply = multiply;
-    system.user = const_cast<Field*>(&scene.matrix);
+    system.apply = support::multiply;
+    system.user = const_cast<double*>(scene.matrix.data());
   }
   return system;
 }

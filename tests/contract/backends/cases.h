@@ -19,7 +19,6 @@ void caps_agree_with_functions(const rc_backend&);
 // products.cpp
 void products_agree_with_the_matrix(const rc_backend&);
 void rebinding_equals_a_fresh_operator(const rc_backend&);
-void constant_vector_has_the_zero_mode(const rc_backend&);
 void nan_is_not_hidden(const rc_backend&);
 void every_choice_of_an_option_gives_the_same_product(const rc_backend&);
 

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <random>
 
+#include "support/callers_product.h"
 #include "support/cmocka.hpp"
 
 namespace contract {
@@ -14,12 +15,6 @@ namespace {
 
 std::int32_t boundary_of(std::uint64_t cap) {
   return cap == RC_CAP_PERIODIC ? RC_BOUNDARY_PERIODIC : cap == RC_CAP_SEMI_PERIODIC ? RC_BOUNDARY_PERIODIC_X : RC_BOUNDARY_FREE;
-}
-
-std::int32_t multiply(const double* x, double* y, std::int64_t n, void* user) {
-  const Matrix& matrix = *static_cast<const Matrix*>(user);
-  for (std::int64_t i = 0; i < n; ++i) y[i] = std::inner_product(x, x + n, matrix.row(i), 0.0);
-  return 0;
 }
 
 void check(rc_status status) {
@@ -47,8 +42,8 @@ Problem::Problem(std::uint64_t cap, std::int64_t nx, std::int64_t ny, double hx,
     system_.ny = ny;
   } else if (cap == RC_CAP_CALLBACK) {
     system_.op = RC_OPERATOR_CALLBACK;
-    system_.apply = multiply;
-    system_.user = const_cast<Matrix*>(&matrix_);
+    system_.apply = support::multiply;
+    system_.user = const_cast<double*>(matrix_.row(0));
   }
 }
 

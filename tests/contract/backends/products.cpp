@@ -52,7 +52,7 @@ void rebinding_equals_a_fresh_operator(const rc_backend& backend) {
     Operator op(backend, host, problem.system());
     for (unsigned seed : {1u, 2u})
       for (const Index& domain : domains(31, 14, seed)) {
-        op.bind(domain, problem.zero_mode());
+        for (const double other : {0.0, 1.0, 0.0}) op.bind(domain, problem.zero_mode() + other);
         check_products(problem, op, domain, 1e-13);
       }
     // A box that grows by a point at a time, as in a loading sequence.
@@ -64,22 +64,6 @@ void rebinding_equals_a_fresh_operator(const rc_backend& backend) {
       check_products(problem, op, domain, 1e-13);
     }
   });
-}
-
-// Odd, even and prime lengths; the zero mode may change from one bind to the next.
-void constant_vector_has_the_zero_mode(const rc_backend& backend) {
-  for (const auto& [nx, ny] : {std::pair{1, 1}, {2, 3}, {7, 13}, {15, 9}, {16, 12}, {23, 1}}) {
-    const rc_system system = halfspace(RC_BOUNDARY_PERIODIC, nx, ny, 1.0, 0.8);
-    const Problem problem(RC_CAP_PERIODIC, nx, ny, 1.0, 0.8, 0.0);
-    StandInHost host(backend);
-    Operator op(backend, host, system);
-    for (double zero_mode : {0.0, 1.25, 0.5, 0.0}) {
-      op.bind(problem.all(), zero_mode, true);
-      const Vector ones(problem.all().size(), 1.0), expected(ones.size(), zero_mode);
-      assert_true(largest_difference(op.apply(ones), expected) <= 1e-13 * (1.0 + problem.matrix().norm()));
-      assert_true(largest_difference(op.field(ones), expected) <= 1e-13 * (1.0 + problem.matrix().norm()));
-    }
-  }
 }
 
 void nan_is_not_hidden(const rc_backend& backend) {

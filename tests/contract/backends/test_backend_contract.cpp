@@ -36,7 +36,6 @@ void caps_agree_with_functions(const rc_backend& backend) {
 
 namespace {
 
-bool takes_periodic(const rc_backend& backend) { return backend.caps & RC_CAP_PERIODIC; }
 bool has_subset(const rc_backend& backend) { return backend.caps & RC_CAP_SUBSET; }
 bool has_shifted(const rc_backend& backend) { return backend.caps & RC_CAP_SHIFTED; }
 bool has_norm(const rc_backend& backend) { return backend.caps & RC_CAP_NORM; }
@@ -51,7 +50,6 @@ const Case cases[] = {
     RC_CASE(products_agree_with_the_matrix, always),
     RC_CASE(rebinding_equals_a_fresh_operator, always),
     RC_CASE(forgetting_equals_a_fresh_operator, can_forget),
-    RC_CASE(constant_vector_has_the_zero_mode, takes_periodic),
     RC_CASE(nan_is_not_hidden, takes_grids),
     RC_CASE(every_choice_of_an_option_gives_the_same_product, always),
     RC_CASE(float_products_agree_with_double_ones, has_float),

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "support/callers_product.h"
 #include "support/contact.h"
 #include "values.h"
 
@@ -10,12 +10,6 @@ namespace options {
 namespace {
 
 constexpr std::int64_t side = 8, points = side * side;
-
-std::int32_t multiply(const double* x, double* y, std::int64_t n, void* user) {
-  const auto* matrix = static_cast<const double*>(user);
-  for (std::int64_t i = 0; i < n; ++i) y[i] = std::inner_product(x, x + n, matrix + i * n, 0.0);
-  return 0;
-}
 
 // Stored influences of the caller's: far points count for little, so that it is positive definite.
 std::vector<double> influences() {
@@ -53,7 +47,7 @@ std::string judge(const std::string& kind, const rc_options* options, bool memor
   if (kind == "product") system.op = RC_OPERATOR_CALLBACK;
   system.dense = kind == "matrix" ? matrix.data() : nullptr;
   system.dense_ld = kind == "matrix" ? points : 0;
-  system.apply = kind == "product" ? multiply : nullptr;
+  system.apply = kind == "product" ? support::multiply : nullptr;
   system.user = matrix.data();
   for (std::int64_t i = 0; i < points; ++i)
     problem.gap.push_back(0.5 + 0.25 * std::cos(1.3 * static_cast<double>(i)) +

@@ -1,14 +1,11 @@
 // Solvers of a plugin that claim success with wrong pressures. An honest one beside them shows that they are called correctly.
-#include <roughcontact/plugin.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "certificate_tests.h"
 #include "support/contact.h"
-#include "support/naive.h"
+#include "support/plugins.h"
 #include "support/surfaces.h"
 
 namespace pairs {
@@ -44,27 +41,21 @@ template <std::size_t which> rc_status tell(const rc_host*, const rc_problem* pr
 }
 
 rc_status by_pivoting(const rc_host*, const rc_problem* problem, const rc_options*, double* p, double*) {
-  std::vector<std::int64_t> all(static_cast<std::size_t>(problem->n));
-  std::iota(all.begin(), all.end(), 0);
-  return problem->inner(problem, "nnls", problem->n, all.data(), problem->tol, p, nullptr);
+  return support::inner_solve(problem, "nnls", p);
 }
 
-constexpr rc_solver solver(const char* name, decltype(rc_solver::solve) function, bool by_load = false) {
-  const std::uint32_t controls = RC_CONTROL_APPROACH | (by_load ? RC_CONTROL_LOAD : 0);
-  return {sizeof(rc_solver), name, "a test's", "BSD-3-Clause", 0, controls, 0, 0, nullptr, function};
-}
-template <std::size_t which> constexpr rc_solver liar = solver(lies[which].name, tell<which>, lies[which].by_load);
-constexpr rc_solver honest = solver("by-pivoting", by_pivoting);
+template <std::size_t which>
+const rc_solver liar = support::solver(lies[which].name, tell<which>,
+                                       RC_CONTROL_APPROACH | (lies[which].by_load ? std::uint32_t{RC_CONTROL_LOAD} : 0));
+const rc_solver honest = support::solver("by-pivoting", by_pivoting);
 const rc_solver* const list[] = {&liar<0>, &liar<1>, &liar<2>, &liar<3>, &liar<4>, &liar<5>, &liar<6>, &honest};
 static_assert(std::size(list) == std::size(lies) + 1);
-const rc_plugin plugin = {
-    sizeof(rc_plugin), RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR, "tests", "1", 0, std::size(list), 0, nullptr, list, nullptr};
 
 Context make_context() {
   rc_context* made = nullptr;
   check(rc_context_create(0, nullptr, nullptr, nullptr, &made) == RC_OK, rc_last_error());
   Context context(made);
-  check(rc_context_register(made, &plugin) == RC_OK, rc_last_error());
+  for (const rc_solver* each : list) check(support::add(made, *each) == RC_OK, rc_last_error());
   return context;
 }
 

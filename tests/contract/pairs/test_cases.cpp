@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "support/callers_product.h"
 #include "support/naive.h"
 #include "support/reference_cases.h"
 #include "support/registry.h"
@@ -52,15 +53,6 @@ Matrix matrix_of(const ReferenceCase& reference) {
   return matrix;
 }
 
-std::int32_t multiply(const double* x, double* y, std::int64_t n, void* user) {
-  const double* row = static_cast<const Matrix*>(user)->entries.data();
-  for (std::int64_t i = 0; i < n; ++i, row += n) {
-    y[i] = 0;
-    for (std::int64_t j = 0; j < n; ++j) y[i] += row[j] * x[j];
-  }
-  return 0;
-}
-
 // Keeps p, load and counts; the system becomes the caller's matrix or product.
 ReferenceCase as_operator(ReferenceCase reference, std::int32_t op, Matrix& matrix) {
   reference.problem.gap = stored_points(reference, reference.problem.gap);
@@ -72,8 +64,8 @@ ReferenceCase as_operator(ReferenceCase reference, std::int32_t op, Matrix& matr
   s.ny = reference.rows;
   s.dense = matrix.entries.data();
   s.dense_ld = matrix.n;
-  s.apply = multiply;
-  s.user = &matrix;
+  s.apply = support::multiply;
+  s.user = matrix.entries.data();
   return reference;
 }
 
@@ -168,7 +160,7 @@ void add_pair(std::vector<Test>& tests, const Pair& pair, std::int32_t op, std::
   const double one = 1;
   system.dense = &one;
   system.dense_ld = 1;
-  system.apply = multiply;
+  system.apply = support::multiply;
   const std::string group = group_name(pair, system, control);
   if (const std::string reason = obstacle(pair, system, control); !reason.empty()) {
     ++left_out[reason.substr(0, reason.find(':')) + ", what cannot be combined"];

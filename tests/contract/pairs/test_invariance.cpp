@@ -1,9 +1,5 @@
-// Changes of a problem that must change the answer in a known way or not at all, by every pair: units bit by bit, warm starts, a
-// spike, another thread that cancels.
-#include <atomic>
-#include <chrono>
-#include <thread>
-
+// Changes of a problem that must change the answer in a known way or not at all, by every pair: units bit by bit, what warm
+// starts save, a spike.
 #include "support/registry.h"
 #include "support/surfaces.h"
 
@@ -90,44 +86,6 @@ void spike_is_pressed_into_the_plane_below_it(const Pair& pair) {
   }
 }
 
-struct Rendezvous {
-  std::atomic<bool> running{false}, cancelled{false};
-};
-
-// Waits in the first report until the other thread has cancelled.
-std::int32_t wait(const rc_progress*, void* user) {
-  Rendezvous& meeting = *static_cast<Rendezvous*>(user);
-  meeting.running = true;
-  while (!meeting.cancelled) std::this_thread::sleep_for(std::chrono::microseconds(100));
-  return 0;
-}
-
-void other_thread_stops(const Pair& pair) {
-  for (const std::int32_t control : controls) {
-    Problem problem = rough_problem(16, 12);  // hard enough that no solver ends in its first iteration
-    problem.target *= 1.6;
-    if (control == RC_CONTROL_LOAD) problem = at_load(problem, 12);
-    const Contact contact(problem, pair);
-    Rendezvous meeting;
-    check(rc_contact_on_progress(contact.handle(), wait, &meeting, 1) == RC_OK, rc_last_error());
-    rc_status busy = RC_OK;
-    std::thread other([&] {
-      while (!meeting.running) std::this_thread::sleep_for(std::chrono::microseconds(100));
-      busy = rc_contact_reset(contact.handle());
-      rc_contact_cancel(contact.handle());
-      meeting.cancelled = true;
-    });
-    const Answer answer = contact.solve(problem);
-    meeting.running = true;
-    other.join();
-    check_status(answer, RC_STOP_CANCELLED);
-    check(busy == RC_ERR_BUSY, std::string("reset of a solving contact: ") + rc_status_name(busy));
-    const Answer after = contact.solve(problem);
-    check_status(after, RC_OK, "the step after a stop");
-    check_near(after.p, solved(problem, pair).p, 1e-9, "p of the step after a stop");
-  }
-}
-
 std::vector<Test> all_tests() {
   std::vector<Test> tests;
   for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC}) {
@@ -138,7 +96,6 @@ std::vector<Test> all_tests() {
     add("warm_steps_up_and_down_cost_less_than_cold_ones", warm_steps_cost_less);
   }
   add_for_pairs(tests, "spike_is_pressed_into_the_plane_below_it", RC_BOUNDARY_FREE, spike_is_pressed_into_the_plane_below_it);
-  add_for_pairs(tests, "cancel_from_another_thread_stops", RC_BOUNDARY_FREE, other_thread_stops);
   return tests;
 }
 

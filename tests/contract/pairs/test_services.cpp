@@ -1,11 +1,10 @@
 // The core's services around a solver: warm-ups, hand-overs and refusals.
-#include <roughcontact/plugin.h>
-
 #include <cmath>
 #include <cstring>
 #include <limits>
 
 #include "support/contact.h"
+#include "support/plugins.h"
 #include "support/registry.h"
 #include "support/surfaces.h"
 
@@ -141,21 +140,8 @@ rc_status look(const rc_host*, const rc_problem* problem, const rc_options*, dou
 }
 
 void solvers_that_ask_for_nothing_new_see_doubles() {
-  const rc_solver solver = {.struct_size = sizeof(rc_solver),
-                            .name = "looks",
-                            .summary = "a test's",
-                            .license = "BSD-3-Clause",
-                            .needs = RC_NEEDS_GRID,
-                            .controls = RC_CONTROL_APPROACH,
-                            .solve = look};
-  const rc_solver* const list[] = {&solver};
-  const rc_plugin plugin = {.struct_size = sizeof(rc_plugin),
-                            .abi_major = RC_PLUGIN_ABI_MAJOR,
-                            .abi_minor = RC_PLUGIN_ABI_MINOR,
-                            .name = "tests",
-                            .version = "1",
-                            .n_solvers = 1,
-                            .solvers = list};
+  rc_solver solver = support::solver("looks", look);
+  solver.needs = RC_NEEDS_GRID;
   Problem problem = rough_problem(33, 26);
   const std::vector<float> gap(problem.gap.begin(), problem.gap.end());
   problem.gap.assign(gap.begin(), gap.end());
@@ -166,7 +152,7 @@ void solvers_that_ask_for_nothing_new_see_doubles() {
     rc_context* made = nullptr;
     check(rc_context_create(0, nullptr, nullptr, nullptr, &made) == RC_OK, rc_last_error());
     const Context context(made);
-    check(rc_context_register(made, &plugin) == RC_OK, rc_last_error());
+    check(support::add(made, solver) == RC_OK, rc_last_error());
     const Contact contact(problem, {"looks", "dense"}, {{"warmup", first}}, context.get());
     seen.clear();
     const rc_status expected = std::string(first) == "none" ? RC_STOP_STALLED : RC_OK;

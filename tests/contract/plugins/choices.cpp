@@ -31,12 +31,10 @@ rc_backend backend(const char* name, decltype(rc_backend::score) score, std::uin
 }
 
 rc_status by_pivoting(const rc_host*, const rc_problem* problem, const rc_options*, double* p, double*) {
-  return inner_solve(problem, "nnls", p);
+  return support::inner_solve(problem, "nnls", p);
 }
 rc_solver solver(const char* name, decltype(rc_solver::score) score) {
-  rc_solver made = component<rc_solver>(name);
-  made.controls = RC_CONTROL_APPROACH;
-  made.solve = by_pivoting;
+  rc_solver made = support::solver(name, by_pivoting);
   made.score = score;
   return made;
 }

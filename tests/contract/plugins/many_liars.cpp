@@ -75,7 +75,7 @@ rc_status solve_many(const rc_host*, rc_many* many, const rc_options*) {
 }
 
 rc_status one_at_a_time(const rc_host*, const rc_problem* problem, const rc_options*, double* p, double*) {
-  return inner_solve(problem, "polonsky-keer", p);
+  return support::inner_solve(problem, "polonsky-keer", p);
 }
 
 rc_status cheapest(const rc_facts*, rc_estimate* estimate) {
@@ -84,10 +84,8 @@ rc_status cheapest(const rc_facts*, rc_estimate* estimate) {
 }
 
 const rc_solver liar = [] {
-  rc_solver each = component<rc_solver>("liar");
+  rc_solver each = support::solver("liar", one_at_a_time);
   each.needs = RC_TAKES_CAP;
-  each.controls = RC_CONTROL_APPROACH;
-  each.solve = one_at_a_time;
   each.score = cheapest;
   each.solve_many = solve_many;
   return each;

@@ -43,21 +43,15 @@ void the_environment_is_searched_unless_it_is_ignored() {
   assert_true(none.load("auto", "auto") > 0);
 }
 
-void the_configured_path_comes_before_the_environment() {
-  const Scratch configured, environment;
-  const std::string wanted = configured.put({"toy"});
-  environment.put({"toy"});
-  const PluginPath path(environment.path());
-  assert_string_equal(Registry(configured.path(), 0).origin("toy").c_str(), wanted.c_str());
-}
-
-void the_first_directory_of_a_path_wins() {
-  const Scratch empty, first, second;
+void the_first_directory_of_the_configured_path_comes_before_all_others() {
+  const Scratch empty, first, second, environment;
   const std::string wanted = first.put({"toy"});
   second.put({"toy"});
+  environment.put({"toy"});
+  const PluginPath path(environment.path());
   const std::string next = support::folder_separator;
-  const Registry registry(next + next + empty.path() + next + empty.path() + "/none" + next + first.path() + next +
-                          second.path() + next);
+  const Registry registry(
+      next + next + empty.path() + next + empty.path() + "/none" + next + first.path() + next + second.path() + next, 0);
   assert_string_equal(registry.origin("toy").c_str(), wanted.c_str());
 }
 
@@ -164,8 +158,7 @@ void a_deleted_working_directory_does_no_harm() {
 std::vector<pairs::Test> place_tests() {
   return {
       TEST(the_environment_is_searched_unless_it_is_ignored),
-      TEST(the_configured_path_comes_before_the_environment),
-      TEST(the_first_directory_of_a_path_wins),
+      TEST(the_first_directory_of_the_configured_path_comes_before_all_others),
       TEST(neither_the_current_directory_nor_relative_ones_are_searched),
       TEST(directories_by_other_names_are_ignored_and_logged),
       TEST(a_name_cannot_leave_the_directory),

@@ -114,9 +114,7 @@ rc_status no_step(const rc_host*, const rc_problem*, const rc_options*, double*,
 
 // Rows are for solvers that are built into the library.
 void a_solver_that_takes_rows_is_refused() {
-  rc_solver solver = component<rc_solver>("by-rows");
-  solver.controls = RC_CONTROL_APPROACH;
-  solver.solve = no_step;
+  rc_solver solver = support::solver("by-rows", no_step);
   assert_int_equal(Registry("", RC_CONTEXT_NO_PLUGINS).add(solver), RC_OK);
   solver.needs = RC_TAKES_ROWS;
   assert_int_equal(Registry("", RC_CONTEXT_NO_PLUGINS).add(solver), RC_ERR_PLUGIN);

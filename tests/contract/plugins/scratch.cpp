@@ -1,7 +1,6 @@
 #include "scratch.h"
 
 #include <filesystem>
-#include <numeric>
 #include <random>
 #include <system_error>
 
@@ -47,16 +46,6 @@ Registry::Registry(const std::string& plugin_path, std::uint32_t flags) {
 
 namespace {
 
-rc_plugin empty_plugin() {
-  rc_plugin plugin{};
-  plugin.struct_size = sizeof plugin;
-  plugin.abi_major = RC_PLUGIN_ABI_MAJOR;
-  plugin.abi_minor = RC_PLUGIN_ABI_MINOR;
-  plugin.name = "tests";
-  plugin.version = "1.0";
-  return plugin;
-}
-
 pairs::Problem small_problem(std::int32_t boundary, std::int32_t control) {
   pairs::Problem problem;
   problem.system.nx = 6;
@@ -69,28 +58,6 @@ pairs::Problem small_problem(std::int32_t boundary, std::int32_t control) {
 }
 
 }  // namespace
-
-rc_status Registry::add(const rc_backend& backend) const {
-  const rc_backend* const list[] = {&backend};
-  rc_plugin plugin = empty_plugin();
-  plugin.n_backends = 1;
-  plugin.backends = list;
-  return rc_context_register(get(), &plugin);
-}
-rc_status Registry::add(const rc_solver& solver) const {
-  const rc_solver* const list[] = {&solver};
-  rc_plugin plugin = empty_plugin();
-  plugin.n_solvers = 1;
-  plugin.solvers = list;
-  return rc_context_register(get(), &plugin);
-}
-rc_status Registry::add(const rc_kernel& kernel) const {
-  const rc_kernel* const list[] = {&kernel};
-  rc_plugin plugin = empty_plugin();
-  plugin.n_kernels = 1;
-  plugin.kernels = list;
-  return rc_context_register(get(), &plugin);
-}
 
 rc_status Registry::names(const std::string& backend) const {
   const pairs::Problem problem = small_problem(RC_BOUNDARY_FREE, RC_CONTROL_APPROACH);
@@ -131,12 +98,6 @@ std::string Pressed::explanation() const {
   const char* text = nullptr;
   assert_int_equal(rc_contact_explain(contact_.get(), &text), RC_OK);
   return text;
-}
-
-rc_status inner_solve(const rc_problem* problem, const char* solver, double* p) {
-  std::vector<std::int64_t> all(static_cast<std::size_t>(problem->n));
-  std::iota(all.begin(), all.end(), 0);
-  return problem->inner(problem, solver, problem->n, all.data(), problem->tol, p, nullptr);
 }
 
 std::string Registry::origin(const std::string& backend) const {

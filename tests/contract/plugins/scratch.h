@@ -10,6 +10,7 @@
 
 #include "support/cmocka.hpp"
 #include "support/contact.h"
+#include "support/plugins.h"
 
 extern "C" rc_status rc_builtin_linked(const rc_host* host, const rc_plugin** out);
 
@@ -40,9 +41,7 @@ class Registry {
 
   rc_context* get() const { return context_.get(); }
   // Registers a plugin of one component, which must outlive the context.
-  rc_status add(const rc_backend& backend) const;
-  rc_status add(const rc_solver& solver) const;
-  rc_status add(const rc_kernel& kernel) const;
+  template <class Component> rc_status add(const Component& one) const { return support::add(get(), one); }
   // Creates a contact for a small grid with this backend; the message is rc_last_error().
   rc_status names(const std::string& backend) const;
   // Solves the small grid and returns the load, 0 if it is not certified.
@@ -80,18 +79,6 @@ class Pressed {
 
 // The plugin that is linked into this program.
 const rc_plugin& linked();
-// A test's solver or kernel: its name, and nothing but what every component has.
-template <class Component> Component component(const char* name) {
-  Component made{};
-  made.struct_size = sizeof made;
-  made.name = name;
-  made.summary = "a test's";
-  made.license = "BSD-3-Clause";
-  return made;
-}
-// Has another solver solve all.
-rc_status inner_solve(const rc_problem* problem, const char* solver, double* p);
-
 void assert_message_has(const std::string& part);
 void assert_has(const std::string& text, const std::string& part);
 
