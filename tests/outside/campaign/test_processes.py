@@ -22,6 +22,7 @@ import pyarrow.parquet as pq  # noqa: E402
 import roughcontact as rc  # noqa: E402
 import store  # noqa: E402
 from distributed import Client, LocalCluster, WorkerPlugin  # noqa: E402
+from test_parts import task  # noqa: E402
 
 POINTS, SEEDS, PRESSURES, HARDNESS = 384, 40, (1e6, 5e6), 5e8
 STUDY = f"""
@@ -157,18 +158,8 @@ class Deadly(WorkerPlugin):
 
 class TaskThatKills(unittest.TestCase):
     def test_it_alone_is_lost(self):
-        version = ".".join(map(str, rc.version()))
-        shared = {
-            "control": "pressure",
-            "history": [1e6],
-            "system": {"modulus": 1e9},
-            "options": {},
-            "details": False,
-            "version": version,
-        }
-        rough = {"generator": "spectral", "shape": [32, 32], "pitch": 1.0, "rms_slope": 0.1}
-        asked = [{"surface": {**rough, "seed": seed}, **shared} for seed in range(12)]
-        asked[5] = {"surface": {"generator": "deadly", "seed": 5}, **shared}
+        rough, deadly = {"generator": "spectral", "shape": [32, 32], "pitch": 1.0, "rms_slope": 0.1}, {"generator": "deadly"}
+        asked = [task([1e6], seed, details=False, surface=deadly if seed == 5 else rough).asked for seed in range(12)]
         tasks = [press.Task(str(each["surface"]["seed"]), each, 1) for each in asked]
         dask.config.set({"distributed.scheduler.worker-saturation": 1.0, "distributed.scheduler.allowed-failures": 1})
         with tempfile.TemporaryDirectory() as folder, store.Store(folder, {"run": "only"}) as kept:

@@ -102,21 +102,9 @@ def test_a_step_that_is_not_certified(tmp_path, capsys):
 
 
 def browse(tmp_path, *arguments):
-    done = subprocess.run(
-        [
-            BROWSER,
-            "--headless",
-            "--no-sandbox",
-            "--disable-gpu",
-            "--enable-logging=stderr",
-            "--window-size=1280,6000",
-            "--virtual-time-budget=30000",
-        ]
-        + [f"--user-data-dir={tmp_path / 'profile'}", *arguments, (tmp_path / "page.html").as_uri()],
-        capture_output=True,
-        timeout=120,
-        cwd=tmp_path,
-    )
+    quiet = ["--headless", "--no-sandbox", "--disable-gpu", "--enable-logging=stderr", f"--user-data-dir={tmp_path / 'profile'}"]
+    asked = [BROWSER, *quiet, "--window-size=1280,6000", "--virtual-time-budget=30000", *arguments, (tmp_path / "page.html").as_uri()]
+    done = subprocess.run(asked, capture_output=True, timeout=120, cwd=tmp_path)
     said = [line for line in done.stderr.decode(errors="replace").splitlines() if "CONSOLE" in line]
     return done.stdout.decode(errors="replace"), said
 
