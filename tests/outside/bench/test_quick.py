@@ -13,18 +13,6 @@ def run(*arguments):
     return document
 
 
-def check_certified(row, tol):
-    assert row.get('status') == 'RC_OK', row
-    assert row['residual'] <= tol, row
-
-
-scaling = run('scaling', '--quick', '--sizes', '128', '--percents', '1,10,40')
-assert len(scaling['solves']) == 6
-for row in scaling['solves']:
-    check_certified(row, row['tol'])
-    assert abs(row['area_found'] / row['area_wanted'] - 1) < 0.1, row
-    assert row['bytes_per_point_in_all'] > row['bytes_per_point'] > 0 and row['product_seconds_best'] > 0, row
-
 for row in run('passes', '--quick')['rows']:
     assert row['ns'] > 0 and row['share'] > 0, row
 products = run('products', '--quick', '--sizes', '128')
@@ -41,10 +29,6 @@ batch = run('batch', '--quick', '--surfaces', '5', '--points', '32', '--steps', 
 for row in batch['batch']:
     assert row['certified'] == 5 and row['products'] > 15, row
 assert [row['threads'] for row in batch['batch']] == [1, 2] and batch['scaling'] > 0
-
-mapped = run('mapped', '--quick')['solves'][0]
-assert mapped['status'] == 'OK' and mapped['residual'] <= 1e-4 and mapped['own_gigabytes'] < 0.2, mapped
-assert 0.5 < mapped['contact_percent'] / mapped['percent_wanted'] < 2, mapped
 
 small = run('small', '--quick')['rows']
 assert len(small) == 6 and all(row['value'] > 0 for row in small if 'first' not in row['row']), small
