@@ -72,8 +72,8 @@ class CommandTest(unittest.TestCase):
 
     def start(self, *arguments, **settings):
         """The command, which the signals end that a shell's background ignores."""
-        pipes = dict(stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8")
-        return subprocess.Popen([COMMAND, *map(str, arguments)], cwd=self.folder, preexec_fn=default_signals, **{**pipes, **settings})
+        usual = dict(stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8", preexec_fn=default_signals)
+        return subprocess.Popen([COMMAND, *map(str, arguments)], cwd=self.folder, **{**usual, **settings})
 
     def with_gnuplot(self, script, folder="."):
         """An environment in which gnuplot is this script."""
