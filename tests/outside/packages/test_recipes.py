@@ -121,8 +121,9 @@ def test_conan_recipe(filled, monkeypatch, tmp_path, shared):
     subprocess.run([*conan, "profile", "detect"], check=True, capture_output=True)
     with (tmp_path / "profiles" / "default").open("a") as profile:
         profile.write("\n[platform_requires]\neigen/3.4.0\n")
-    ran = subprocess.run([*conan, "create", filled / "conan", "-nr", "-o", f"roughcontact/*:shared={shared}"], capture_output=True, text=True)
-    assert ran.returncode == 0 and "load 0.445553" in ran.stdout, ran.stdout[-3000:] + ran.stderr[-3000:]
+    create = [*conan, "create", filled / "conan", "-nr", "-o", f"roughcontact/*:shared={shared}"]
+    ran = subprocess.run(create, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    assert ran.returncode == 0 and "load 0.445553" in ran.stdout, ran.stdout[-3000:]
 
 
 def test_conda_recipe(filled):
