@@ -67,13 +67,6 @@ Outcome stopped_by_progress() {
   return solve(contact.get(), scene);
 }
 
-Outcome cancelled_before() {
-  const Scene scene;
-  const ContactHandle contact = made(scene);
-  rc_contact_cancel(contact.get());
-  return solve(contact.get(), scene);
-}
-
 Outcome after_reset() {
   Scene scene;
   const ContactHandle contact = made(scene);
@@ -257,7 +250,7 @@ Calls contact_calls() {
        }},
   };
 #define CALL(name) all[#name] = [](World&) { return name(); }
-  CALL(used_by_two_threads), CALL(stopped_by_progress), CALL(cancelled_before), CALL(shared_and_cancelled), CALL(after_reset),
+  CALL(used_by_two_threads), CALL(stopped_by_progress), CALL(shared_and_cancelled), CALL(after_reset),
       CALL(result_over_its_input);
   CALL(context_destroyed_first), CALL(used_by_a_static_destructor), CALL(mask_lifted_over_nan);
   CALL(whole_number_set), CALL(solves_after_refused_options), CALL(copied), CALL(options_of_another_context);

@@ -33,16 +33,14 @@ Settings with(Settings settings, const Settings& more) {
   return settings;
 }
 
-std::vector<rc_level> levels_of(const Contact& contact, const Answer& answer, std::vector<Field>* pressures = nullptr) {
+std::vector<rc_level> levels_of(const Contact& contact, const Answer& answer, std::vector<Field>& pressures) {
   std::vector<rc_level> levels;
   for (std::int64_t i = 0; i < answer.result.levels; ++i) {
     rc_level level = RC_LEVEL_INIT;
     check(rc_contact_level(contact.handle(), i, &level) == RC_OK, rc_last_error());
-    if (pressures) {
-      pressures->emplace_back(static_cast<std::size_t>(level.nx * level.ny));
-      level.p = RC_OUT(pressures->back().data());
-      check(rc_contact_level(contact.handle(), i, &level) == RC_OK, rc_last_error());
-    }
+    pressures.emplace_back(static_cast<std::size_t>(level.nx * level.ny));
+    level.p = RC_OUT(pressures.back().data());
+    check(rc_contact_level(contact.handle(), i, &level) == RC_OK, rc_last_error());
     levels.push_back(level);
   }
   return levels;
@@ -88,7 +86,7 @@ void coarse_solutions_are_given_back() {
   check_status(answer, RC_OK);
   check_equal(answer.result.levels, 2, "levels");
   std::vector<Field> pressures;
-  const std::vector<rc_level> levels = levels_of(contact, answer, &pressures);
+  const std::vector<rc_level> levels = levels_of(contact, answer, pressures);
   check_equal(levels[0].nx, side / 4, "coarsest nx");
   check_equal(levels[1].nx, side / 2, "finer nx");
   for (std::size_t k = 0; k < levels.size(); ++k) {

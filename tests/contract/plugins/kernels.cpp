@@ -196,13 +196,9 @@ void a_law_remembers_whether_it_has_a_conductance() {
   Spoilt sound;
   const rc_kernel kernel = decay(sound);
   assert_int_equal(registry.add(kernel), RC_OK);
-  rc_options* options = nullptr;
-  assert_int_equal(rc_options_create(registry.get(), &options), RC_OK);
   const Scratch scratch;
   const std::string path = scratch.path() + "/a.law", deck = scratch.path() + "/a.inp";
-  rc_system system = support::unit_system();
-  system.nx = system.ny = side;
-  system.boundary = RC_BOUNDARY_PERIODIC;
+  const rc_system system = paraboloid_of(RC_BOUNDARY_PERIODIC).system;
   std::vector<double> gap;
   for (std::int64_t i = 0; i < side * side; ++i) gap.push_back(static_cast<double>(i * 37 % 101) * 1e-2);
   rc_law_spec spec = RC_LAW_SPEC_INIT;
@@ -212,17 +208,17 @@ void a_law_remembers_whether_it_has_a_conductance() {
   spec.tolerance = 0.05;
   for (const char* name : {"decay", "spectral"}) {
     const bool homogeneous = std::string(name) == "spectral";
-    assert_int_equal(rc_options_set_text(options, RC_OPT_KERNEL, name), RC_OK);
+    const pairs::Options options = pairs::make_options(pairs::automatic, name, {{RC_OPT_TOL, "1e-8"}}, registry.get());
     rc_law* law = nullptr;
     spec.tolerance_conductance = 0.5;
-    const rc_status asked = rc_law_create(&system, options, &spec, &law);
+    const rc_status asked = rc_law_create(&system, options.get(), &spec, &law);
     if (!homogeneous) {
       assert_int_equal(asked, RC_ERR_ARGUMENT);
       assert_message_has("rc_law_spec.tolerance_conductance = 0.5: no conductance follows from the slope of this law");
     }
     rc_law_destroy(law);
     spec.tolerance_conductance = 0;
-    assert_true(rc_law_create(&system, options, &spec, &law) >= 0);
+    assert_true(rc_law_create(&system, options.get(), &spec, &law) >= 0);
     for (int loaded = 0; loaded < 2; ++loaded) {
       rc_law_info info = RC_LAW_INFO_INIT;
       assert_int_equal(rc_law_describe(law, &info), RC_OK);
@@ -246,7 +242,6 @@ void a_law_remembers_whether_it_has_a_conductance() {
     }
     rc_law_destroy(law);
   }
-  rc_options_destroy(options);
 }
 
 void a_backend_that_needs_the_far_field_is_passed_over() {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
 
 #include "kernel/kernel.h"
 
@@ -106,11 +105,6 @@ double largest(const Vector& values) {
   double result = 0;
   for (const double value : values) result = std::max(result, std::abs(value));
   return result;
-}
-
-double effort() {
-  const char* quick = std::getenv("RC_TEST_QUICK");
-  return quick && *quick && std::strcmp(quick, "0") != 0 ? 0.1 : 1.0;
 }
 
 }  // namespace split

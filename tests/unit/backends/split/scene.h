@@ -71,9 +71,6 @@ Index some_of(const Index& points, std::size_t count);
 
 double largest(const Vector& values);
 
-// 1: all; smaller in slow builds.
-double effort();
-
 extern const std::vector<CMUnitTest> product_tests, screen_tests;
 
 }  // namespace split
