@@ -1,12 +1,10 @@
 // Leaks of contacts on larger grids: where they close, how narrow their intervals are, and where there is none. That intervals
 // hold the exact flow, also of wrong pressures and at a load, is a property of scenes.
-#include <roughcontact/surface.h>
-
 #include <cmath>
 
 #include "flows.h"
 #include "support/cmocka.hpp"
-#include "support/contact.h"
+#include "support/surfaces.h"
 
 using namespace flow_tests;
 
@@ -14,22 +12,7 @@ namespace {
 
 using pairs::Answer, pairs::Problem;
 
-Problem periodic_scene(std::int64_t n, std::uint64_t seed) {
-  Problem scene;
-  scene.system.boundary = RC_BOUNDARY_PERIODIC;
-  scene.system.nx = scene.system.ny = n;
-  rc_surface_spectral_spec spec = RC_SURFACE_SPECTRAL_SPEC_INIT;
-  spec.seed = seed;
-  spec.nx = spec.ny = n;
-  spec.rms_height = 0;
-  spec.rms_slope = 0.1;
-  spec.q_rolloff = 2 * 3.14159265358979 / 32;
-  spec.q_high = 2 * 3.14159265358979 / 8;
-  scene.gap.resize(scene.points());
-  if (rc_surface_spectral(&spec, scene.gap.data()) != RC_OK) fail_msg("%s", rc_surface_last_error());
-  if (rc_gap_from_heights(n * n, RC_IN(scene.gap.data()), {}, RC_OUT(scene.gap.data())) != RC_OK) fail_msg("%s", rc_last_error());
-  return scene;
-}
+Problem periodic_scene(std::int64_t n) { return pairs::rough_problem(n, n, RC_BOUNDARY_PERIODIC); }
 
 // At a mean pressure.
 Answer pressed(const Problem& scene, double pressure, const char* tol) {
@@ -62,7 +45,7 @@ rc_flow_closing closing(const Problem& scene, std::int32_t along, double width) 
 
 void a_seal_is_open_below_its_closing_pressure_and_closed_above(void**) {
   for (const double hardness : {0.0, 0.05}) {
-    Problem scene = periodic_scene(64, 3);
+    Problem scene = periodic_scene(64);
     scene.system.hardness = hardness;
     for (const std::int32_t along : {RC_FLOW_X, RC_FLOW_Y}) {
       const rc_flow_closing found = closing(scene, along, 0.01);
@@ -76,7 +59,7 @@ void a_seal_is_open_below_its_closing_pressure_and_closed_above(void**) {
 }
 
 void a_wall_of_excluded_points_is_closed_without_a_load(void**) {
-  Problem scene = periodic_scene(48, 4);
+  Problem scene = periodic_scene(48);
   scene.mask.assign(scene.points(), 1);
   for (std::size_t y = 0; y < 48; ++y) scene.mask[y * 48 + 20] = 0;
   const rc_flow_closing found = closing(scene, RC_FLOW_X, 0.01);
@@ -85,7 +68,7 @@ void a_wall_of_excluded_points_is_closed_without_a_load(void**) {
 
 // The interval's width over the flow at tol 1e-8, at the returned approach, well open and 1 % of the load short of closing.
 void intervals_at_tol_1e_8_are_narrow(void**) {
-  const Problem scene = periodic_scene(96, 9);
+  const Problem scene = periodic_scene(96);
   const double closes = closing(scene, RC_FLOW_X, 2e-3).lower;
   const rc_flow_result wide_open = leak(scene, pressed(scene, 0.2 * closes, "1e-8"), RC_FLOW_X);
   const rc_flow_result near = leak(scene, pressed(scene, 0.99 * closes, "1e-8"), RC_FLOW_X);
@@ -95,7 +78,7 @@ void intervals_at_tol_1e_8_are_narrow(void**) {
 }
 
 void full_contact_has_no_interval(void**) {
-  const Problem scene = periodic_scene(48, 5);
+  const Problem scene = periodic_scene(48);
   const Answer full = pressed(scene, 2, "1e-8");
   if (!std::isnan(full.result.gap_error)) fail_msg("a gap is proven");
   const rc_flow_result found = leak(scene, full, RC_FLOW_X);

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
-#include <numbers>
-#include <random>
+
+#include "support/surfaces.h"
 
 namespace laws {
 
@@ -13,56 +13,16 @@ namespace {
 
 using pairs::Field;
 
-// Waves of amplitudes q^-(1 + hurst) with random phases, from `lowest` to a quarter of the grid, scaled to rms slope 0.1; as a
-// gap.
-Field self_affine(std::int64_t nx, std::int64_t ny, double hurst, int lowest, unsigned seed) {
-  std::mt19937 generator(seed);
-  const auto uniform = [&] { return static_cast<double>(generator()) / 4294967296.0; };
-  const int highest = static_cast<int>(std::min(nx, ny) / 4);
-  Field heights(static_cast<std::size_t>(nx * ny), 0.0);
-  double square = 0;
-  for (int ky = 0; ky <= highest; ++ky)
-    for (int kx = ky == 0 ? 1 : -highest; kx <= highest; ++kx) {
-      const double radius = std::hypot(kx, ky), phase = 2 * std::numbers::pi * uniform();
-      if (radius < lowest || radius > highest) continue;
-      const double qx = 2 * std::numbers::pi * kx / static_cast<double>(nx),
-                   qy = 2 * std::numbers::pi * ky / static_cast<double>(ny);
-      const double amplitude = std::pow(radius, -1 - hurst);
-      square += amplitude * amplitude * (qx * qx + qy * qy) / 2;
-      std::size_t i = 0;
-      for (std::int64_t iy = 0; iy < ny; ++iy)
-        for (std::int64_t ix = 0; ix < nx; ++ix)
-          heights[i++] += amplitude * std::cos(qx * static_cast<double>(ix) + qy * static_cast<double>(iy) + phase);
-    }
-  const double top = *std::max_element(heights.begin(), heights.end()), scale = 0.1 / std::sqrt(square);
-  for (double& height : heights) height = (top - height) * scale;
-  return heights;
-}
-
-Patch patch(std::string name, std::int32_t boundary, const char* kernel, std::int64_t nx, std::int64_t ny, Field gap) {
+// Of n by n cells and slopes of about a tenth, within a factor of 500 in pressure.
+Patch patch(std::string name, std::int32_t boundary, std::int64_t n) {
   Patch made;
   made.name = std::move(name);
-  made.problem.system.boundary = boundary;
-  made.problem.system.nx = nx;
-  made.problem.system.ny = ny;
-  made.problem.kernel = kernel;
-  made.problem.gap = std::move(gap);
+  made.problem = pairs::rough_problem(n, n, boundary);
+  const double scale = 0.25 * static_cast<double>(n) / 16;
+  for (double& gap : made.problem.gap) gap *= scale;
   made.spec.p_lower = 2e-5;
   made.spec.p_upper = 1e-2;
   return made;
-}
-
-// The gap counts from the lowest point of the disc, as a law's does.
-void mask_disc(Patch& patch) {
-  const auto nx = patch.problem.system.nx, ny = patch.problem.system.ny;
-  for (std::int64_t iy = 0; iy < ny; ++iy)
-    for (std::int64_t ix = 0; ix < nx; ++ix)
-      patch.problem.mask.push_back(std::hypot(static_cast<double>(2 * ix - nx), static_cast<double>(2 * iy - ny)) <
-                                   0.9 * static_cast<double>(std::min(nx, ny)));
-  double lowest = HUGE_VAL;
-  for (std::size_t i = 0; i < patch.problem.gap.size(); ++i)
-    if (patch.problem.included(i)) lowest = std::min(lowest, patch.problem.gap[i]);
-  for (double& gap : patch.problem.gap) gap -= lowest;
 }
 
 }  // namespace
@@ -74,20 +34,17 @@ rc_law_spec Patch::asked() const {
   return whole;
 }
 
-Patch usual_patch(std::int64_t n) { return patch("usual", RC_BOUNDARY_PERIODIC, "auto", n, n, self_affine(n, n, 0.8, 4, 14)); }
+Patch usual_patch(std::int64_t n) { return patch("usual", RC_BOUNDARY_PERIODIC, n); }
 
 Patch patch_named(const std::string& name) {
-  constexpr std::int64_t n = 16;
-  const bool disc = name == "disc", repeats = name == "hardness";
-  Patch made = patch(name, repeats ? RC_BOUNDARY_PERIODIC : RC_BOUNDARY_FREE, repeats ? "spectral" : "love", n, n,
-                     self_affine(n, n, 0.8, disc ? 2 : 4,
-                                 disc      ? 9
-                                 : repeats ? 18
-                                           : 5));
-  if (disc)
-    mask_disc(made);
-  else
+  Patch made = patch(name, name == "hardness" ? RC_BOUNDARY_PERIODIC : RC_BOUNDARY_FREE, 16);
+  if (name != "disc") {
     made.problem.system.hardness = 0.03;
+    return made;
+  }
+  for (int i = 0; i < 256; ++i) made.problem.mask.push_back(std::hypot(i % 16 - 8, i / 16 - 8) < 7.2);
+  const double lowest = made.problem.lowest_gap();  // the gap counts from there, as a law's does
+  for (double& gap : made.problem.gap) gap -= lowest;
   return made;
 }
 
