@@ -88,7 +88,10 @@ class AsLaw final : public Property {
     }
     draw_curve(made, random);
     draw_joints(made);
-    if (scene.halfspace() && !scene.hard()) slip(made);
+    if (scene.halfspace() && !scene.hard())
+      slip(made);
+    else
+      need_no_slip(made);
     reload(made);
     return truths_.empty() ? "no pressure in its range" : "";
   }
@@ -332,6 +335,13 @@ class AsLaw final : public Property {
     if (std::abs(joint.right - joint.left) < rounding * std::max({joint.left, joint.right, joint.secant})) return;
     need(has_kink(joint, c),
          "the slope jumps at " + number(joint.x) + " from " + number(joint.left) + " to " + number(joint.right));
+  }
+
+  // Nothing is said of slip that yields, or whose stiffness is not known.
+  static void need_no_slip(const rc_law* law) {
+    rc_law_slip_state state = RC_LAW_SLIP_STATE_INIT;
+    const double slip[2] = {};
+    need(rc_law_slip(law, &state, 0, slip, &state) == RC_ERR_INCOMPATIBLE, "slip of a law that has none");
   }
 
   // Slip at the overclosure of each truth, until what is left of the shear is that of a smaller one.

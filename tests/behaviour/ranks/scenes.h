@@ -188,4 +188,32 @@ static rc_options* options_of(const scene* s, int64_t threads) {
   return options;
 }
 
+/* A step of this rank. */
+typedef struct job {
+  rc_system system;
+  rc_step step;
+  rc_result result;
+  rc_options* options;
+  rows of;
+  double *gap, *p;
+  int64_t first, count;
+} job;
+
+static job job_of(const rc_exchange* exchange, const scene* s, int64_t threads) {
+  job j;
+  j.system = system_of(s);
+  rc_ranks_rows(exchange, &j.system, &j.first, &j.count);
+  j.of = rows_of(s, j.first, j.count);
+  j.gap = j.of.gap;
+  j.p = j.of.p;
+  prepare(s, &j.of, &j.step, &j.result);
+  j.options = options_of(s, threads);
+  return j;
+}
+
+static void free_job(job j) {
+  rc_options_destroy(j.options);
+  free_rows(j.of);
+}
+
 #endif

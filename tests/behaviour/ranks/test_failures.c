@@ -50,34 +50,8 @@ static void check_failed(rc_status status, rc_status wanted, const char* words, 
   check(strstr(mine, words) != NULL, what);
 }
 
-typedef struct job {
-  rc_system system;
-  rc_step step;
-  rc_result result;
-  rc_options* options;
-  rows of;
-  double *gap, *p;
-  int64_t first, count;
-} job;
-
-static job job_of(const scene* s) {
-  job j = {.system = system_of(s)};
-  rc_ranks_rows(&exchange, &j.system, &j.first, &j.count);
-  j.of = rows_of(s, j.first, j.count);
-  j.gap = j.of.gap;
-  j.p = j.of.p;
-  prepare(s, &j.of, &j.step, &j.result);
-  j.options = options_of(s, 1);
-  return j;
-}
-
-static void free_job(job j) {
-  rc_options_destroy(j.options);
-  free_rows(j.of);
-}
-
 static void disagreements(const scene* s) {
-  job j = job_of(s);
+  job j = job_of(&exchange, s, 1);
   rc_contact* contact = NULL;
   const int last = ranks - 1;
   if (rank == last) j.system.nx += 1;
@@ -170,7 +144,7 @@ static void communicators(const scene* s) {
 }
 
 static void stops(const scene* s) {
-  job j = job_of(s);
+  job j = job_of(&exchange, s, 1);
   rc_contact* contact = NULL;
   rc_options_set_number(j.options, RC_OPT_MAX_ITER, 3);
   check(rc_ranks_contact_create(&exchange, &j.system, j.options, &contact) == RC_OK, "create");
@@ -192,7 +166,7 @@ static int32_t set_flag(int64_t step, const rc_result* result, void* user) {
   return 0;
 }
 static void flags(const scene* s) {
-  job j = job_of(s);
+  job j = job_of(&exchange, s, 1);
   rc_contact* contact = NULL;
   const double targets[] = {0.5 * j.step.target, 0.7 * j.step.target, j.step.target};
   rc_history path = RC_HISTORY_INIT;
@@ -221,7 +195,7 @@ static void flags(const scene* s) {
 
 /* Every call of a solve fails once, each time on another rank. step: between those that are tried. */
 static void every_call(const scene* s, int step) {
-  job j = job_of(s);
+  job j = job_of(&exchange, s, 1);
   rc_contact* contact = NULL;
   int all = 0;
   calls = 0;

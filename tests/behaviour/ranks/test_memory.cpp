@@ -37,16 +37,12 @@ bool everywhere(const std::string& text) {
 // A contact of a scene, and its answer.
 class Job {
  public:
-  explicit Job(const scene& s) : s_(s), system_(system_of(&s)), options_(options_of(&s, 1)) {
-    std::int64_t first = 0, count = 0;
-    check(rc_ranks_rows(&exchange, &system_, &first, &count) == RC_OK, s.name, 0, "rows");
-    rows_ = rows_of(&s, first, count);
-    n_ = static_cast<std::size_t>(s.nx * count);
+  explicit Job(const scene& s) : j_(job_of(&exchange, &s, 1)), n_(static_cast<std::size_t>(s.nx * j_.count)) {
+    j_.step.warm_start = 0;
   }
   ~Job() {
     drop();
-    rc_options_destroy(options_);
-    free_rows(rows_);
+    free_job(j_);
   }
   Job(const Job&) = delete;
   Job& operator=(const Job&) = delete;
@@ -58,26 +54,19 @@ class Job {
   }
   // Creates the contact, where there is none, and solves. fails_at: the allocation that fails, 0: none; whether it was reached.
   rc_status run(std::int64_t fails_at, bool& failed) {
-    rc_step step;
-    rc_result result;
-    prepare(&s_, &rows_, &step, &result);
-    step.warm_start = 0;
     support::fail_allocation(fails_at);
-    rc_status status = contact_ ? RC_OK : rc_ranks_contact_create(&exchange, &system_, options_, &contact_);
-    if (status == RC_OK) status = rc_contact_solve(contact_, &step, &result);
+    rc_status status = contact_ ? RC_OK : rc_ranks_contact_create(&exchange, &j_.system, j_.options, &contact_);
+    if (status == RC_OK) status = rc_contact_solve(contact_, &j_.step, &j_.result);
     failed = support::allocation_failed();
     support::fail_allocation(0);
     return status;
   }
 
-  std::vector<double> p() const { return {rows_.p, rows_.p + n_}; }
+  std::vector<double> p() const { return {j_.p, j_.p + n_}; }
 
  private:
-  const scene& s_;
-  const rc_system system_;
-  rc_options* const options_;
-  rows rows_{};
-  std::size_t n_ = 0;
+  job j_;
+  const std::size_t n_;
   rc_contact* contact_ = nullptr;
 };
 

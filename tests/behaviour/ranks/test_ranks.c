@@ -94,31 +94,26 @@ static void compare(const scene* s, const rc_result* mine, const void* p_all) {
 }
 
 static void run(const scene* s, int64_t threads) {
-  const rc_system system = system_of(s);
-  rc_options* options = options_of(s, threads);
+  job j = job_of(&exchange, s, threads);
+  const rows r = j.of;
+  const int64_t count = j.count;
   rc_contact* contact = NULL;
-  int64_t first = 0, count = 0;
-  check(rc_ranks_rows(&exchange, &system, &first, &count) == RC_OK, s->name, "rows");
-  const rows r = rows_of(s, first, count);
-  rc_step step;
-  rc_result result;
-  prepare(s, &r, &step, &result);
-  check(rc_ranks_contact_create(&exchange, &system, options, &contact) == RC_OK, s->name, "create");
+  check(rc_ranks_contact_create(&exchange, &j.system, j.options, &contact) == RC_OK, s->name, "create");
   if (!contact) MPI_Abort(MPI_COMM_WORLD, 1);
-  const rc_status status = rc_contact_solve(contact, &step, &result);
+  const rc_status status = rc_contact_solve(contact, &j.step, &j.result);
   check(status == RC_OK, s->name, "solve");
   const size_t of_row = (size_t)s->nx * (s->single ? sizeof(float) : sizeof(double));
   void* p = all_rows(s->single ? (void*)r.p_single : (void*)r.p, of_row, count, s->ny);
   double* gap = all_rows(r.deformed, (size_t)s->nx * sizeof(double), count, s->ny);
   for (int64_t i = 0; i < s->nx * s->ny; ++i)
     if (!included(s, i % s->nx, i / s->nx)) gap[i] = 0;
-  const uint64_t hash = digest_of(result);
+  const uint64_t hash = digest_of(j.result);
   if (rank == 0) {
-    printf("%s: status %d, backend %s, contacts %lld, p %016llx, gap %016llx, result %016llx\n", s->name, status, result.backend,
-           (long long)result.contacts, (unsigned long long)digest(p, of_row * (size_t)s->ny, 0xcbf29ce484222325u),
-           (unsigned long long)digest(gap, (size_t)(s->nx * s->ny) * sizeof(double), 0xcbf29ce484222325u),
-           (unsigned long long)hash);
-    if (ranks == 1 && threads == 1) compare(s, &result, p); /* on other numbers of ranks p has the same digest */
+    printf(
+        "%s: status %d, backend %s, contacts %lld, p %016llx, gap %016llx, result %016llx\n", s->name, status, j.result.backend,
+        (long long)j.result.contacts, (unsigned long long)digest(p, of_row * (size_t)s->ny, 0xcbf29ce484222325u),
+        (unsigned long long)digest(gap, (size_t)(s->nx * s->ny) * sizeof(double), 0xcbf29ce484222325u), (unsigned long long)hash);
+    if (ranks == 1 && threads == 1) compare(s, &j.result, p); /* on other numbers of ranks p has the same digest */
   }
   uint64_t first_hash = hash;
   MPI_Bcast(&first_hash, sizeof first_hash, MPI_BYTE, 0, MPI_COMM_WORLD);
@@ -143,30 +138,30 @@ static void run(const scene* s, int64_t threads) {
    * row that one rank gives another; ranks agree on stops once an iteration, and on tiles a few times. */
   if (strncmp(s->name, "sparse", 6) == 0) {
     const int periodic = s->boundary == RC_BOUNDARY_PERIODIC;
-    check(strcmp(result.backend, periodic ? "fft" : "split") == 0, s->name, "the backend of sparse contact");
+    check(strcmp(j.result.backend, periodic ? "fft" : "split") == 0, s->name, "the backend of sparse contact");
     check(periodic || counts.products == 1, s->name, "the product of the gap");
     check(counts.shifts == 0, s->name, "unknowns that every rank has");
     check(counts.gathers <= (periodic ? 4 : 2) * counts.iterations + 150, s->name, "gathers of sparse contact");
   }
 
   /* What was solved is certified as it is: but for rounded pressures, and an indentation that the step has left. */
-  const double load = result.load;
+  const double load = j.result.load;
   if (s->control == RC_CONTROL_AREA) {
-    check(fabs(result.contact_area - s->target) <= fmax(1e-3 * s->target, 0.51 * system.hx * system.hy), s->name, "the area");
-    step.control = RC_CONTROL_LOAD;
-    step.target = load;
+    check(fabs(j.result.contact_area - s->target) <= fmax(1e-3 * s->target, 0.51 * j.system.hx * j.system.hy), s->name,
+          "the area");
+    j.step.control = RC_CONTROL_LOAD;
+    j.step.target = load;
   }
   const rc_status certified = s->single || s->hardness > 0 ? RC_UNCERTIFIED : RC_OK;
   rc_result again = RC_RESULT_INIT;
-  again.p = result.p;
-  const rc_status status_again = rc_contact_certify(contact, &step, &again);
+  again.p = j.result.p;
+  const rc_status status_again = rc_contact_certify(contact, &j.step, &again);
   check(status_again == RC_OK || status_again == certified, s->name, "certify");
   check(fabs(again.load - load) <= 1e-6 * load, s->name, "certified load");
   free(p);
   free(gap);
   rc_contact_destroy(contact);
-  rc_options_destroy(options);
-  free_rows(r);
+  free_job(j);
 }
 
 typedef struct watched {
@@ -255,24 +250,16 @@ static void history(const scene* s, int creeps) {
 /* What a solve of the first scene counts that ends after so many iterations. */
 static rc_ranks_counts counted(int64_t iterations) {
   const scene* s = &scenes[0];
-  const rc_system system = system_of(s);
-  rc_options* options = options_of(s, 1);
+  job j = job_of(&exchange, s, 1);
   rc_contact* contact = NULL;
   rc_ranks_counts counts = RC_RANKS_COUNTS_INIT;
-  int64_t first = 0, count = 0;
-  rc_step step;
-  rc_result result;
-  rc_options_set_number(options, "haar-cg.nested", 0);
-  rc_options_set_number(options, RC_OPT_MAX_ITER, iterations);
-  rc_ranks_rows(&exchange, &system, &first, &count);
-  const rows r = rows_of(s, first, count);
-  prepare(s, &r, &step, &result);
-  check(rc_ranks_contact_create(&exchange, &system, options, &contact) == RC_OK, s->name, "create");
-  check(rc_contact_solve(contact, &step, &result) == RC_STOP_MAX_ITER, s->name, "few iterations");
+  rc_options_set_number(j.options, "haar-cg.nested", 0);
+  rc_options_set_number(j.options, RC_OPT_MAX_ITER, (double)iterations);
+  check(rc_ranks_contact_create(&exchange, &j.system, j.options, &contact) == RC_OK, s->name, "create");
+  check(rc_contact_solve(contact, &j.step, &j.result) == RC_STOP_MAX_ITER, s->name, "few iterations");
   check(rc_ranks_contact_counts(contact, &counts) == RC_OK, s->name, "counts");
   rc_contact_destroy(contact);
-  rc_options_destroy(options);
-  free_rows(r);
+  free_job(j);
   return counts;
 }
 
@@ -288,17 +275,13 @@ static void one_rank_violates(int changed) {
   enum { kinds = 3 };
   static const char* const names[kinds] = {"too much pressure", "a negative pressure", "a pressure that is not finite"};
   const scene* s = &scenes[0];
-  const rc_system system = system_of(s);
-  rc_options* options = options_of(s, 1);
+  job j = job_of(&exchange, s, 1);
+  const rows r = j.of, all = rows_of(s, 0, s->ny);
+  const int64_t count = j.count;
   rc_contact* contact = NULL;
-  int64_t first = 0, count = 0, highest = 0;
-  rc_step step;
-  rc_result result;
-  rc_ranks_rows(&exchange, &system, &first, &count);
-  const rows r = rows_of(s, first, count), all = rows_of(s, 0, s->ny);
-  prepare(s, &r, &step, &result);
-  check(rc_ranks_contact_create(&exchange, &system, options, &contact) == RC_OK, s->name, "create");
-  check(rc_contact_solve(contact, &step, &result) == RC_OK, s->name, "solve");
+  int64_t highest = 0;
+  check(rc_ranks_contact_create(&exchange, &j.system, j.options, &contact) == RC_OK, s->name, "create");
+  check(rc_contact_solve(contact, &j.step, &j.result) == RC_OK, s->name, "solve");
   for (int64_t i = 1; i < s->nx * count; ++i)
     if (r.p[i] > r.p[highest]) highest = i;
   const double before = count > 0 ? r.p[highest] : 0;
@@ -307,14 +290,14 @@ static void one_rank_violates(int changed) {
     if (rank == changed && count > 0) r.p[highest] = values[kind];
     rc_result mine = RC_RESULT_INIT;
     mine.p.data = r.p;
-    const rc_status status = rc_contact_certify(contact, &step, &mine);
+    const rc_status status = rc_contact_certify(contact, &j.step, &mine);
     double* p = all_rows(r.p, (size_t)s->nx * sizeof(double), count, s->ny);
     if (rank == 0) {
       rc_contact* one = NULL;
       rc_step alone;
       rc_result theirs;
       prepare(s, &all, &alone, &theirs);
-      check(rc_contact_create(&system, options, &one) == RC_OK, names[kind], "create");
+      check(rc_contact_create(&j.system, j.options, &one) == RC_OK, names[kind], "create");
       memcpy(all.p, p, (size_t)(s->nx * s->ny) * sizeof(double));
       const rc_status expected = rc_contact_certify(one, &alone, &theirs);
       check(status == expected, names[kind], "the status of one process");
@@ -329,8 +312,7 @@ static void one_rank_violates(int changed) {
     free(p);
   }
   rc_contact_destroy(contact);
-  rc_options_destroy(options);
-  free_rows(r);
+  free_job(j);
   free_rows(all);
 }
 
