@@ -77,18 +77,6 @@ void tight_goals_take_the_whole_grid() {
   }
 }
 
-// Noise that no coarser grid shows.
-void roughness_of_single_cells_is_seen() {
-  Problem problem = smooth();
-  const Answer even = within_goal(problem, goal(wanted, "load"));
-  std::mt19937 random(3);
-  for (double& value : problem.gap) value += 0.2 * problem.target * (static_cast<double>(random()) / 4294967296.0);
-  const Answer found = solve(problem, automatic, goal(wanted, "load"));
-  check(found.result.model_nx > even.result.model_nx, "a finer grid than without noise");
-  const Answer exact = solved(problem, automatic);
-  check(std::abs(found.result.load / exact.result.load - 1) <= wanted, "within the goal");
-}
-
 // All of every coarser grid touches, and none of them differs from the next.
 void openings_that_no_coarser_grid_shows_are_seen() {
   Problem problem;
@@ -338,7 +326,6 @@ int main(int argc, char** argv) {
   using namespace accuracy;
   std::vector<Test> tests = {{"result_says_what_was_modelled", result_says_what_was_modelled},
                              {"tight_goals_take_the_whole_grid", tight_goals_take_the_whole_grid},
-                             {"roughness_of_single_cells_is_seen", roughness_of_single_cells_is_seen},
                              {"openings_that_no_coarser_grid_shows_are_seen", openings_that_no_coarser_grid_shows_are_seen},
                              {"without_a_goal_nothing_changes", without_a_goal_nothing_changes},
                              {"load_is_kept_on_cut_blocks", load_is_kept_on_cut_blocks},

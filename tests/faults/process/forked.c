@@ -1,34 +1,16 @@
 /* After a solve, a child solves again: every backend with every solver. A child that hangs is ended by its alarm. */
 #define _POSIX_C_SOURCE 200809L
 #include <dirent.h>
-#include <roughcontact/registry.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-enum { N = 20 };
-static double gap[N * N];
+#include "pressed.h"
 
 static rc_status solve(const char* backend, const char* solver) {
-  rc_system system = RC_SYSTEM_INIT;
-  system.boundary = RC_BOUNDARY_FREE;
-  system.nx = system.ny = N;
-  system.hx = system.hy = system.modulus = 1;
-  rc_options* options = NULL;
-  rc_step step = RC_STEP_INIT;
-  step.control = RC_CONTROL_APPROACH;
-  rc_result result = RC_RESULT_INIT;
-  step.undeformed_gap.data = gap;
-  step.target = 0.5;
-  rc_status status = rc_options_create(NULL, &options);
-  if (status == RC_OK) status = rc_options_set_text(options, RC_OPT_BACKEND, backend);
-  if (status == RC_OK) status = rc_options_set_text(options, RC_OPT_SOLVER, solver);
-  if (status == RC_OK) status = rc_pair_supported(NULL, solver, backend, &system, RC_CONTROL_APPROACH, options);
-  if (status == RC_OK) status = rc_solve(&system, &step, options, &result);
-  rc_options_destroy(options);
-  return status;
+  const char* const none = NULL;
+  return press(backend, solver, 20, &none);
 }
 
 static int threads(void) {
@@ -48,9 +30,7 @@ static rc_component described(int32_t kind, int64_t i) {
 }
 
 int main(void) {
-  unsigned random = 1;
   int pairs = 0, failures = 0;
-  for (int i = 0; i < N * N; ++i) gap[i] = (double)((random = random * 1664525u + 1013904223u) >> 8) / 16777216;
   const int64_t backends = rc_component_count(NULL, RC_COMPONENT_BACKEND),
                 solvers = rc_component_count(NULL, RC_COMPONENT_SOLVER);
   for (int64_t b = 0; b < backends; ++b)
