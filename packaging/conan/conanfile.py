@@ -2,6 +2,7 @@ from conan import ConanFile
 from conan.tools.build import stdcpp_library
 from conan.tools.cmake import CMake, CMakeDeps, CMakeToolchain, cmake_layout
 from conan.tools.files import copy, get, rm, rmdir
+from conan.tools.gnu import PkgConfigDeps
 
 required_conan_version = ">=2.0"
 
@@ -41,6 +42,7 @@ class RoughcontactConan(ConanFile):
 
     def generate(self):
         CMakeDeps(self).generate()
+        PkgConfigDeps(self).generate()
         toolchain = CMakeToolchain(self)
         for part in ("RC_BUILD_TESTS", "RC_BUILD_BENCH", "RC_BUILD_EXAMPLES", "RC_BUILD_TOOLS", "RC_BUILD_SURFACE"):
             toolchain.cache_variables[part] = False
