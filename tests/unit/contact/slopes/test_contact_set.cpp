@@ -77,7 +77,7 @@ struct Case {
   const char* name;
   std::int64_t nx, ny;
   bool periodic;
-  double share;  // of the points in contact; -1: one point
+  double share;  // of the points in contact
   bool box;      // they fill a box; otherwise they are scattered
   bool few;      // the operator knows two points of three
   bool single = true;
@@ -156,9 +156,7 @@ rc::Operator Set::make_operator(const Case& c) {
   std::mt19937 random(11);
   for (std::int64_t i = 0; i < c.nx * c.ny; ++i) {
     if (c.few && random() % 3 == 0) continue;
-    const bool in = c.share < 0 ? i == 27
-                    : c.box     ? i % c.nx >= 3 && i % c.nx < 15 && i / c.nx >= 5
-                                : random() % 1000 < 1000 * c.share;
+    const bool in = c.box ? i % c.nx >= 3 && i % c.nx < 15 && i / c.nx >= 5 : random() % 1000 < 1000 * c.share;
     if (in) {
       positions_.push_back(trial_.n);
       points_.push_back(i);
@@ -238,25 +236,6 @@ void answers_are_those_of_a_direct_solver(void**) {
   }
 }
 
-void several_right_hand_sides_are_as_each_alone(void**) {
-  constexpr std::size_t count = 4;
-  for (const Case& c : cases) {
-    Set together(c), alone(c);
-    const std::size_t n = together.size();
-    const Field b = right_sides(n, count);
-    Field x(b.size()), one(n);
-    rc::ContactSetBound bounds[count], bound;
-    assert_int_equal(together.solve()(b, tol, x, bounds), RC_OK);
-    for (std::size_t k = 0; k < count; ++k) {
-      std::fill(one.begin(), one.end(), 0.0);
-      assert_int_equal(alone.solve()(std::span(b).subspan(k * n, n), tol, one, {&bound, 1}), RC_OK);
-      assert_memory_equal(one.data(), x.data() + k * n, n * sizeof(double));
-      assert_true(bound.residual == bounds[k].residual && bound.form == bounds[k].form);
-    }
-    assert_int_equal(alone.products(), together.products());
-  }
-}
-
 void a_start_saves_products(void**) {
   for (const Case& c : cases) {
     Set set(c);
@@ -285,42 +264,10 @@ void what_round_off_hides_is_not_promised(void**) {
   }
 }
 
-void no_point_and_one_point_are_sets(void**) {
-  for (const bool periodic : {false, true}) {
-    Set none({"no point", 8, 8, periodic, 0, false, false});
-    assert_int_equal(none.size(), 0);
-    rc::ContactSetBound bound{1, 1, 1};
-    assert_int_equal(none.solve()({}, tol, {}, {&bound, 1}), RC_OK);
-    assert_true(bound.residual == 0 && bound.form == 0);
-    assert_int_equal(none.products(), 0);
-
-    Set one({"one point", 8, 8, periodic, -1, false, false});
-    assert_int_equal(one.size(), 1);
-    const double b = 3, exact = one.direct(&b)[0];
-    double x = 0;
-    assert_int_equal(one.solve()({&b, 1}, tol, {&x, 1}, {&bound, 1}), RC_OK);
-    assert_true(std::abs(x - exact) <= 1e-12 * exact);
-    assert_in_range(one.products(), 1, 2);
-  }
-}
-
-void zero_is_the_answer_to_zero(void**) {
-  Set set(cases[0]);
-  const Field b(set.size());
-  Field x(set.size(), 1.0);
-  rc::ContactSetBound bound;
-  assert_int_equal(set.solve()(b, tol, x, {&bound, 1}), RC_OK);
-  assert_true(length(x) == 0 && bound.residual == 0);
-}
-
 }  // namespace
 
 int main() {
-  const CMUnitTest tests[] = {cmocka_unit_test(answers_are_those_of_a_direct_solver),
-                              cmocka_unit_test(several_right_hand_sides_are_as_each_alone),
-                              cmocka_unit_test(a_start_saves_products),
-                              cmocka_unit_test(what_round_off_hides_is_not_promised),
-                              cmocka_unit_test(no_point_and_one_point_are_sets),
-                              cmocka_unit_test(zero_is_the_answer_to_zero)};
+  const CMUnitTest tests[] = {cmocka_unit_test(answers_are_those_of_a_direct_solver), cmocka_unit_test(a_start_saves_products),
+                              cmocka_unit_test(what_round_off_hides_is_not_promised)};
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }
