@@ -137,7 +137,10 @@ class Leaks final : public Property {
   // Wrong pressures at the answer's approach, certified as they are.
   StepAnswer perturbed(const Case& c, StepAnswer answer, Random& random) const {
     const double noise = random.decades(-6, -1);
-    for (double& p : answer.p) p = std::max(0.0, p * (1 + noise * random.uniform(-0.5, 0.5)));
+    const double most = noise * answer.result.max_pressure;
+    for (std::size_t i = 0; i < answer.p.size(); ++i)
+      if (c.surface(at_).included(i))
+        answer.p[i] = answer.p[i] * (1 + noise * random.uniform(-0.5, 0.5)) + (random.chance(0.1) ? most : 0);
     rc_step step = c.step(c.scene().steps[at_]);
     step.control = RC_CONTROL_APPROACH;
     step.target = answer.result.approach;
