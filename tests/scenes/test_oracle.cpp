@@ -215,12 +215,9 @@ void seeds_in_a_row_cover_the_kinds() {
 
 int main(int argc, char** argv) {
   using namespace scenes;
-  return pairs::run_group("scenes oracle",
-                          {{"tables_have_the_digits_of_the_reference", tables_have_the_digits_of_the_reference},
-                           {"rows_of_strips_are_line_loads", rows_of_strips_are_line_loads},
-                           {"a_wave_deflects_by_its_own_multiple", a_wave_deflects_by_its_own_multiple},
-                           {"solutions_are_those_of_enumeration", solutions_are_those_of_enumeration},
-                           {"ties_that_are_built_are_found", ties_that_are_built_are_found},
-                           {"seeds_in_a_row_cover_the_kinds", seeds_in_a_row_cover_the_kinds}},
-                          argc, argv);
+  return pairs::run_group(
+      "scenes oracle",
+      RC_TESTS(tables_have_the_digits_of_the_reference, rows_of_strips_are_line_loads, a_wave_deflects_by_its_own_multiple,
+               solutions_are_those_of_enumeration, ties_that_are_built_are_found, seeds_in_a_row_cover_the_kinds),
+      argc, argv);
 }

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <numeric>
+#include <sstream>
 
 #include "support/cmocka.hpp"
 
@@ -48,6 +49,17 @@ void run_one(void** state) {
 }  // namespace
 
 void report(const std::string& figures) { print_message("             %s\n", figures.c_str()); }
+
+std::vector<Test> tests_of(const std::string& names, const std::vector<void (*)()>& bodies) {
+  std::vector<Test> tests;
+  std::istringstream words(names);
+  std::string name;
+  for (void (*const body)() : bodies) {
+    words >> name;
+    tests.push_back({name.substr(0, name.find(',')), body});
+  }
+  return tests;
+}
 
 int run_group(const char* group, const std::vector<Test>& tests, int argc, char** argv) {
   if (argc > 1) cmocka_set_test_filter(argv[1]);

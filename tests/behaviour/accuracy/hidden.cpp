@@ -79,9 +79,8 @@ void areas_under_a_goal_of_the_load_have_their_own_estimate() {
 }  // namespace
 
 std::vector<Test> hidden_tests() {
-  return {{"pins_outside_the_coarse_contact_are_seen", pins_outside_the_coarse_contact_are_seen},
-          {"areas_that_tie_are_known_to_one_coarse_cell", areas_that_tie_are_known_to_one_coarse_cell},
-          {"areas_under_a_goal_of_the_load_have_their_own_estimate", areas_under_a_goal_of_the_load_have_their_own_estimate}};
+  return RC_TESTS(pins_outside_the_coarse_contact_are_seen, areas_that_tie_are_known_to_one_coarse_cell,
+                  areas_under_a_goal_of_the_load_have_their_own_estimate);
 }
 
 }  // namespace accuracy

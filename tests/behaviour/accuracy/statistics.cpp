@@ -127,8 +127,6 @@ void goals_of_the_area_are_met() { check_counts(count_all(true, quick() ? 40 : 1
 
 }  // namespace
 
-std::vector<Test> statistics_tests() {
-  return {{"goals_of_the_load_are_met", goals_of_the_load_are_met}, {"goals_of_the_area_are_met", goals_of_the_area_are_met}};
-}
+std::vector<Test> statistics_tests() { return RC_TESTS(goals_of_the_load_are_met, goals_of_the_area_are_met); }
 
 }  // namespace accuracy

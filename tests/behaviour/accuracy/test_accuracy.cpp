@@ -324,23 +324,12 @@ void work_on_coarser_grids_is_counted() {
 
 int main(int argc, char** argv) {
   using namespace accuracy;
-  std::vector<Test> tests = {{"result_says_what_was_modelled", result_says_what_was_modelled},
-                             {"tight_goals_take_the_whole_grid", tight_goals_take_the_whole_grid},
-                             {"openings_that_no_coarser_grid_shows_are_seen", openings_that_no_coarser_grid_shows_are_seen},
-                             {"without_a_goal_nothing_changes", without_a_goal_nothing_changes},
-                             {"load_is_kept_on_cut_blocks", load_is_kept_on_cut_blocks},
-                             {"cut_blocks_are_seen", cut_blocks_are_seen},
-                             {"progress_is_reported_and_may_stop", progress_is_reported_and_may_stop},
-                             {"work_on_coarser_grids_is_counted", work_on_coarser_grids_is_counted},
-                             {"threads_give_the_same_bits", threads_give_the_same_bits},
-                             {"units_and_scales_do_not_matter", units_and_scales_do_not_matter},
-                             {"every_solver_may_have_a_goal", every_solver_may_have_a_goal},
-                             {"stored_matrices_have_no_coarser_grid", stored_matrices_have_no_coarser_grid},
-                             {"no_contact_is_certified", no_contact_is_certified},
-                             {"histories_go_on_within_their_goal", histories_go_on_within_their_goal},
-                             {"batches_go_on_within_their_goal", batches_go_on_within_their_goal},
-                             {"goal_is_fixed", goal_is_fixed},
-                             {"cancelled_is_cancelled", cancelled_is_cancelled}};
+  std::vector<Test> tests =
+      RC_TESTS(result_says_what_was_modelled, tight_goals_take_the_whole_grid, openings_that_no_coarser_grid_shows_are_seen,
+               without_a_goal_nothing_changes, load_is_kept_on_cut_blocks, cut_blocks_are_seen, progress_is_reported_and_may_stop,
+               work_on_coarser_grids_is_counted, threads_give_the_same_bits, units_and_scales_do_not_matter,
+               every_solver_may_have_a_goal, stored_matrices_have_no_coarser_grid, no_contact_is_certified,
+               histories_go_on_within_their_goal, batches_go_on_within_their_goal, goal_is_fixed, cancelled_is_cancelled);
   for (const auto& group : {hidden_tests(), statistics_tests()}) tests.insert(tests.end(), group.begin(), group.end());
   return run_group("accuracy", tests, argc, argv);
 }

@@ -78,10 +78,8 @@ void nothing_touches() {
 }
 
 std::vector<Test> all_tests() {
-  std::vector<Test> tests{{"unknown_where_nothing_is_proven", unknown_where_nothing_is_proven},
-                          {"bounds_cost_no_product", bounds_cost_no_product},
-                          {"full_periodic_contact_has_no_upper_bound", full_periodic_contact_has_no_upper_bound},
-                          {"nothing_touches", nothing_touches}};
+  std::vector<Test> tests = RC_TESTS(unknown_where_nothing_is_proven, bounds_cost_no_product,
+                                     full_periodic_contact_has_no_upper_bound, nothing_touches);
   const std::int64_t n = quick() ? 64 : 256;
   const auto tight = [&](const std::string& name, const Problem& problem, const Pair& pair) {
     tests.push_back({"few_points_are_undecided/" + name, [=] { few_points_are_undecided(problem, pair); }});

@@ -103,10 +103,8 @@ void the_load_found_is_the_last_step() {
 }
 
 std::vector<Test> tests() {
-  return {{"the_approach_fits_the_pressures", the_approach_fits_the_pressures},
-          {"the_nearest_area_is_in_the_note", the_nearest_area_is_in_the_note},
-          {"an_area_that_no_load_reaches", an_area_that_no_load_reaches},
-          {"the_load_found_is_the_last_step", the_load_found_is_the_last_step}};
+  return RC_TESTS(the_approach_fits_the_pressures, the_nearest_area_is_in_the_note, an_area_that_no_load_reaches,
+                  the_load_found_is_the_last_step);
 }
 
 }  // namespace

@@ -305,13 +305,9 @@ void levels_have_the_approach_of_the_step() {
 }
 
 std::vector<Test> tests() {
-  std::vector<Test> all{{"a_step_load_spreads_as_the_compliance", a_step_load_spreads_as_the_compliance},
-                        {"a_ramp_spreads_as_the_integral", a_ramp_spreads_as_the_integral},
-                        {"half_the_time_step_a_quarter_of_the_error", half_the_time_step_a_quarter_of_the_error},
-                        {"moduli_are_turned_into_compliances", moduli_are_turned_into_compliances},
-                        {"unloading_is_tings", unloading_is_tings},
-                        {"what_leaves_nothing", what_leaves_nothing},
-                        {"levels_have_the_approach_of_the_step", levels_have_the_approach_of_the_step}};
+  std::vector<Test> all =
+      RC_TESTS(a_step_load_spreads_as_the_compliance, a_ramp_spreads_as_the_integral, half_the_time_step_a_quarter_of_the_error,
+               moduli_are_turned_into_compliances, unloading_is_tings, what_leaves_nothing, levels_have_the_approach_of_the_step);
   for (const auto& [boundary, edges] : std::vector<std::pair<std::int32_t, std::string>>{
            {RC_BOUNDARY_FREE, "free"}, {RC_BOUNDARY_PERIODIC, "periodic"}, {RC_BOUNDARY_PERIODIC_X, "periodic-x"}})
     for (const std::int32_t control : {RC_CONTROL_APPROACH, RC_CONTROL_LOAD})

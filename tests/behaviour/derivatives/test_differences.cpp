@@ -193,13 +193,8 @@ void a_stopped_gradient_writes_nothing() {
 int main(int argc, char** argv) {
   using namespace pairs;
   return run_group("derivatives.differences",
-                   {{"a_load_adds_to_the_error", a_load_adds_to_the_error},
-                    {"full_periodic_contact", full_periodic_contact},
-                    {"a_product_whose_residuals_fall_late", a_product_whose_residuals_fall_late},
-                    {"a_product_whose_residuals_fall_too_late", a_product_whose_residuals_fall_too_late},
-                    {"no_contact", no_contact},
-                    {"the_same_bits_for_any_number_of_threads", the_same_bits_for_any_number_of_threads},
-                    {"a_stopped_gradient_writes_nothing", a_stopped_gradient_writes_nothing},
-                    {"a_gradient_leaves_the_contact_as_it_is", a_gradient_leaves_the_contact_as_it_is}},
+                   RC_TESTS(a_load_adds_to_the_error, full_periodic_contact, a_product_whose_residuals_fall_late,
+                            a_product_whose_residuals_fall_too_late, no_contact, the_same_bits_for_any_number_of_threads,
+                            a_stopped_gradient_writes_nothing, a_gradient_leaves_the_contact_as_it_is),
                    argc, argv);
 }

@@ -76,9 +76,7 @@ void a_circular_spot_conducts_like_holms() {
 int main(int argc, char** argv) {
   using namespace pairs;
   return run_group("derivatives.interval",
-                   {{"narrow_on_a_rough_surface", narrow_on_a_rough_surface},
-                    {"nothing_is_proven_where_nothing_is_asked", nothing_is_proven_where_nothing_is_asked},
-                    {"full_periodic_contact", full_periodic_contact},
-                    {"a_circular_spot_conducts_like_holms", a_circular_spot_conducts_like_holms}},
+                   RC_TESTS(narrow_on_a_rough_surface, nothing_is_proven_where_nothing_is_asked, full_periodic_contact,
+                            a_circular_spot_conducts_like_holms),
                    argc, argv);
 }

@@ -88,8 +88,5 @@ void first_touch_is_one_sided() {
 int main(int argc, char** argv) {
   using namespace pairs;
   return run_group("derivatives.one_sided",
-                   {{"derivatives_are_one_sided_there", derivatives_are_one_sided_there},
-                    {"beside_it_they_are_not", beside_it_they_are_not},
-                    {"first_touch_is_one_sided", first_touch_is_one_sided}},
-                   argc, argv);
+                   RC_TESTS(derivatives_are_one_sided_there, beside_it_they_are_not, first_touch_is_one_sided), argc, argv);
 }

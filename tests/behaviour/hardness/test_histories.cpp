@@ -171,9 +171,7 @@ void an_accuracy_goal_indents_the_whole_grid() {
 
 int main(int argc, char** argv) {
   using namespace pairs;
-  std::vector<Test> tests = {{"intervals_count_the_rounded_gap", intervals_count_the_rounded_gap},
-                             {"stops_and_certificates_leave_nothing", stops_and_certificates_leave_nothing},
-                             {"a_virgin_history_presses_the_first_surface", a_virgin_history_presses_the_first_surface},
-                             {"an_accuracy_goal_indents_the_whole_grid", an_accuracy_goal_indents_the_whole_grid}};
+  std::vector<Test> tests = RC_TESTS(intervals_count_the_rounded_gap, stops_and_certificates_leave_nothing,
+                                     a_virgin_history_presses_the_first_surface, an_accuracy_goal_indents_the_whole_grid);
   return run_group("hardness histories", tests, argc, argv);
 }

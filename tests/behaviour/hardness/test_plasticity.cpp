@@ -84,9 +84,6 @@ void softer_is_less() {
 
 int main(int argc, char** argv) {
   using namespace pairs;
-  return run_group("hardness plasticity",
-                   {{"first_yield_is_that_of_hertz", first_yield_is_that_of_hertz},
-                    {"full_plasticity_is_rigid", full_plasticity_is_rigid},
-                    {"softer_is_less", softer_is_less}},
-                   argc, argv);
+  return run_group("hardness plasticity", RC_TESTS(first_yield_is_that_of_hertz, full_plasticity_is_rigid, softer_is_less), argc,
+                   argv);
 }

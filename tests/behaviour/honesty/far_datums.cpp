@@ -81,11 +81,8 @@ void given_approaches_far_from_zero() {
 }  // namespace
 
 std::vector<Test> far_datums() {
-  return {{"a_light_load_far_from_zero", a_light_load_far_from_zero},
-          {"heights_far_from_zero", heights_far_from_zero},
-          {"periodic_heights_far_from_zero", periodic_heights_far_from_zero},
-          {"few_contacts_far_from_zero", few_contacts_far_from_zero},
-          {"given_approaches_far_from_zero", given_approaches_far_from_zero}};
+  return RC_TESTS(a_light_load_far_from_zero, heights_far_from_zero, periodic_heights_far_from_zero, few_contacts_far_from_zero,
+                  given_approaches_far_from_zero);
 }
 
 }  // namespace pairs

@@ -104,11 +104,8 @@ void full_contact_of_a_flat_surface_is_certified() {
 }  // namespace
 
 std::vector<Test> near_the_mean_plane() {
-  return {{"waves_at_loose_tolerances", waves_at_loose_tolerances},
-          {"two_points_at_loose_tolerances", two_points_at_loose_tolerances},
-          {"more_pressure_is_not_certified", more_pressure_is_not_certified},
-          {"unbounded_intervals_are_told", unbounded_intervals_are_told},
-          {"full_contact_of_a_flat_surface_is_certified", full_contact_of_a_flat_surface_is_certified}};
+  return RC_TESTS(waves_at_loose_tolerances, two_points_at_loose_tolerances, more_pressure_is_not_certified,
+                  unbounded_intervals_are_told, full_contact_of_a_flat_surface_is_certified);
 }
 
 }  // namespace pairs

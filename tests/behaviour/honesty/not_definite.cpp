@@ -91,9 +91,8 @@ void no_solver_certifies_an_indefinite_product() {
 }  // namespace
 
 std::vector<Test> not_definite() {
-  return {{"pressures_that_yield_work_are_refused", pressures_that_yield_work_are_refused},
-          {"a_solution_of_an_indefinite_matrix_is_refused", a_solution_of_an_indefinite_matrix_is_refused},
-          {"no_solver_certifies_an_indefinite_product", no_solver_certifies_an_indefinite_product}};
+  return RC_TESTS(pressures_that_yield_work_are_refused, a_solution_of_an_indefinite_matrix_is_refused,
+                  no_solver_certifies_an_indefinite_product);
 }
 
 }  // namespace pairs

@@ -186,18 +186,10 @@ void free_edges_are_told() {
 }  // namespace
 
 std::vector<Test> remarks() {
-  return {{"ordinary_scenes_have_no_remark", ordinary_scenes_have_no_remark},
-          {"a_modulus_in_gigapascal", a_modulus_in_gigapascal},
-          {"a_hardness_in_megapascal", a_hardness_in_megapascal},
-          {"a_pitch_in_metres", a_pitch_in_metres},
-          {"an_approach_beyond_the_side", an_approach_beyond_the_side},
-          {"a_tilt_is_told_with_periodic_edges", a_tilt_is_told_with_periodic_edges},
-          {"a_spike_is_told", a_spike_is_told},
-          {"free_edges_are_told", free_edges_are_told},
-          {"a_tilted_map_is_told", a_tilted_map_is_told},
-          {"masked_heights_do_not_count", masked_heights_do_not_count},
-          {"each_surface_has_its_own_remark", each_surface_has_its_own_remark},
-          {"waves_and_matrices_have_no_tilt", waves_and_matrices_have_no_tilt}};
+  return RC_TESTS(ordinary_scenes_have_no_remark, a_modulus_in_gigapascal, a_hardness_in_megapascal, a_pitch_in_metres,
+                  an_approach_beyond_the_side, a_tilt_is_told_with_periodic_edges, a_spike_is_told, free_edges_are_told,
+                  a_tilted_map_is_told, masked_heights_do_not_count, each_surface_has_its_own_remark,
+                  waves_and_matrices_have_no_tilt);
 }
 
 }  // namespace pairs

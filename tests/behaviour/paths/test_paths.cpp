@@ -4,10 +4,10 @@
 #include <roughcontact/history.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 
-#include "history.h"
-#include "support/registry.h"
+#include "support/contact.h"
 #include "support/surfaces.h"
 
 namespace paths {
@@ -16,10 +16,67 @@ namespace {
 
 using namespace pairs;
 
+rc_history history_of(const Problem& problem, const Field& targets) {
+  rc_history history = RC_HISTORY_INIT;
+  history.control = problem.control;
+  history.n = static_cast<std::int64_t>(targets.size());
+  history.targets = RC_IN(targets.data());
+  history.undeformed_gap = RC_IN(problem.gap.data());
+  return history;
+}
+
+// What a history gave, and what fn saw of each step.
+struct Outcome {
+  rc_status status = RC_ERR_INTERNAL;
+  std::string message;
+  std::vector<Answer> seen;
+};
+
+constexpr double blank = -7;  // in columns that no step has written
+
+// A step counts as completed exactly where its columns are written and fn saw it.
+Outcome follow(
+    const Contact& contact, const Problem& problem, const Field& targets, bool with_gap = true,
+    const std::function<void(std::int64_t)>& after = [](std::int64_t) {}) {
+  Outcome outcome;
+  const auto watch = [&](std::int64_t step, const rc_result& result) {
+    const auto *const p = static_cast<const double*>(result.p.data), *const gap = static_cast<const double*>(result.gap.data);
+    outcome.seen.push_back({result.status, result, Field(p, p + problem.points()), Field(gap, gap + problem.points()), {}});
+    after(step);
+  };
+  rc_history history = history_of(problem, targets);
+  if (!with_gap) history.undeformed_gap = {};
+  Field load(targets.size(), blank);
+  history.columns.load = RC_OUT(load.data());
+  history.fn = [](std::int64_t step, const rc_result* result, void* user) {
+    (*static_cast<decltype(watch)*>(user))(step, *result);
+    return std::int32_t{0};
+  };
+  history.user = const_cast<void*>(static_cast<const void*>(&watch));
+  history.completed = -1;
+  outcome.status = rc_contact_solve_history(contact.handle(), &history);
+  outcome.message = rc_last_error();
+  check_equal(history.completed, static_cast<std::int64_t>(outcome.seen.size()), "completed steps are those that fn saw");
+  for (std::size_t i = 0; i < load.size(); ++i)
+    check_near(load[i], i < outcome.seen.size() ? outcome.seen[i].result.load : blank, 0, "load of step " + std::to_string(i));
+  return outcome;
+}
+
+// Its steps are those of `whole` from step `from` on, bit for bit.
+void check_same(const Outcome& part, const Outcome& whole, std::size_t from) {
+  for (std::size_t i = 0; i < part.seen.size(); ++i) {
+    const Answer &a = part.seen[i], &b = whole.seen.at(from + i);
+    pairs::check_same(a.p, b.p, "p");
+    pairs::check_same(a.gap, b.gap, "gap");
+    check_near(a.result.approach, b.result.approach, 0, "approach");
+    check_equal(a.result.products, b.result.products, "products");
+  }
+}
+
 struct End {
   const char* name;
   rc_status status;
-  std::int64_t completed;
+  std::size_t completed;
   std::string says;
   std::int32_t control = RC_CONTROL_APPROACH;
   Field shares = {0.5, 1, 0.7, 0.8};  // of the largest target
@@ -57,31 +114,32 @@ const End all_ends[] = {
 
 // What was completed stays, and the contact goes on from there as one that was not interrupted.
 void ends(const End& end) {
-  const Problem problem = rough_problem(18, 14, RC_BOUNDARY_PERIODIC, 0.5, 0.75);
+  Problem problem = rough_problem(18, 14, RC_BOUNDARY_PERIODIC, 0.5, 0.75);
   const double top = end.control == RC_CONTROL_LOAD ? solved(problem, automatic).result.load : problem.target;
+  problem.control = end.control;
   const Contact contact(problem, automatic, end.settings);
-  Request request, good, rest;
-  request.control = good.control = rest.control = end.control;
+  Field targets, good, rest;
   for (std::size_t k = 0; k < end.shares.size(); ++k) {
-    request.targets.push_back(end.shares[k] * top);
+    targets.push_back(end.shares[k] * top);
     if (end.shares[k] < 0 || end.shares[k] > 2) continue;
-    good.targets.push_back(request.targets.back());
-    if (static_cast<std::int64_t>(k) >= end.completed) rest.targets.push_back(request.targets.back());
+    good.push_back(targets.back());
+    if (k >= end.completed) rest.push_back(targets.back());
   }
   end.before(contact.handle());
-  request.ends = [&](std::int64_t step) {
+  const Outcome broken = follow(contact, problem, targets, true, [&](std::int64_t step) {
     if (step == end.cancels_after) rc_contact_cancel(contact.handle());
-    return false;
-  };
-  const History broken = follow(contact, problem, request);
-  check_status(broken, end.status, end.completed);
+  });
+  check_equal(broken.status, end.status, broken.message);
+  check_equal(broken.seen.size(), end.completed, "completed steps");
   check(broken.message.find(end.says) != std::string::npos, broken.message);
   if (!end.settings.empty()) return;  // it would end there again
   check(rc_contact_on_progress(contact.handle(), nullptr, nullptr, 1) == RC_OK, rc_last_error());
-  const History whole = followed(Contact(problem, automatic), problem, good);
-  check_same(broken, whole, 0, static_cast<std::size_t>(end.completed));
-  rest.with_gap = end.completed == 0;
-  check_same(followed(contact, problem, rest), whole, static_cast<std::size_t>(end.completed), rest.targets.size());
+  const Outcome whole = follow(Contact(problem, automatic), problem, good);
+  check_same(broken, whole, 0);
+  const Outcome on = follow(contact, problem, rest, end.completed == 0);
+  check_equal(whole.seen.size(), good.size(), "steps of one that is not interrupted");
+  check_equal(on.seen.size(), rest.size(), "steps afterwards");
+  check_same(on, whole, end.completed);
 }
 
 // Continued in another contact where contacts of coarser grids, screening and goals take part.
@@ -110,7 +168,7 @@ void larger_grids_give_the_same_bits(std::int64_t side, const Pair& pair, const 
     if (restored) {
       const Answer again = pressed(*restored);
       pairs::check_same(again.p, last.p, "p");
-      check_equal(again.result.load, last.result.load, "load");
+      check_near(again.result.load, last.result.load, 0, "load");
       check_equal(again.result.products, last.result.products, "products");
     }
     if (answers.size() % 2 == 0) continue;
@@ -128,15 +186,6 @@ void larger_grids_give_the_same_bits(std::int64_t side, const Pair& pair, const 
     }
     check(rc_contact_restore(restored->handle(), &state) == RC_OK, rc_last_error());
   }
-}
-
-rc_history history_of(const Problem& problem, const Field& targets) {
-  rc_history history = RC_HISTORY_INIT;
-  history.control = problem.control;
-  history.n = static_cast<std::int64_t>(targets.size());
-  history.targets = RC_IN(targets.data());
-  history.undeformed_gap = RC_IN(problem.gap.data());
-  return history;
 }
 
 // The gap stays hidden from fn where it is not wanted, and the points are those of the step that fn sees, also on a coarser grid.
@@ -198,20 +247,15 @@ void a_step_without_an_answer_has_no_numbers() {
 void levels_are_those_of_the_last_step() {
   const Problem problem = rough_problem(64, 64, RC_BOUNDARY_FREE, 0.5, 0.5);
   const Contact contact(problem, {"cmr", "auto"}, {{"cmr.levels", "3"}});
-  Request request;
-  request.targets = {0.5 * problem.target, 0.9 * problem.target};
-  check_equal(followed(contact, problem, request).seen.back().result.levels, 2, "levels");
-  request.targets = {0};
-  check_equal(followed(contact, problem, request).seen.back().result.levels, 0, "levels of a step without contact");
+  check_equal(follow(contact, problem, {0.5 * problem.target, 0.9 * problem.target}).seen.back().result.levels, 2, "levels");
+  check_equal(follow(contact, problem, {0}).seen.back().result.levels, 0, "levels of a step without contact");
   rc_level level = RC_LEVEL_INIT;
   check(rc_contact_level(contact.handle(), 0, &level) == RC_ERR_ARGUMENT, "a level of the step before");
 }
 
 std::vector<Test> tests() {
-  std::vector<Test> all = {{"fn_may_ask_for_its_points", fn_may_ask_for_its_points},
-                           {"columns_leave_the_options", columns_leave_the_options},
-                           {"a_step_without_an_answer_has_no_numbers", a_step_without_an_answer_has_no_numbers},
-                           {"levels_are_those_of_the_last_step", levels_are_those_of_the_last_step}};
+  std::vector<Test> all = RC_TESTS(fn_may_ask_for_its_points, columns_leave_the_options, a_step_without_an_answer_has_no_numbers,
+                                   levels_are_those_of_the_last_step);
   for (const End& end : all_ends) all.push_back({std::string("ends/") + end.name, [&end] { ends(end); }});
   const auto add_larger = [&](const char* name, std::int64_t side, const Pair& pair, const Settings& settings) {
     all.push_back({std::string("restored/") + name, [=] { larger_grids_give_the_same_bits(side, pair, settings); }});

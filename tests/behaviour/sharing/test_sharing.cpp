@@ -209,11 +209,9 @@ void a_context_may_go_before_its_contacts() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run_group("sharing",
-                   {{"each_contact_takes_little", each_contact_takes_little},
-                    {"the_bits_are_those_of_a_contact_alone", the_bits_are_those_of_a_contact_alone},
-                    {"contacts_of_another_system_do_not_share", contacts_of_another_system_do_not_share},
-                    {"contacts_come_and_go_on_two_threads", contacts_come_and_go_on_two_threads},
-                    {"a_context_may_go_before_its_contacts", a_context_may_go_before_its_contacts}},
-                   argc, argv);
+  return run_group(
+      "sharing",
+      RC_TESTS(each_contact_takes_little, the_bits_are_those_of_a_contact_alone, contacts_of_another_system_do_not_share,
+               contacts_come_and_go_on_two_threads, a_context_may_go_before_its_contacts),
+      argc, argv);
 }

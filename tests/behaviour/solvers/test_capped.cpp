@@ -90,9 +90,7 @@ void half_of_the_contact_at_the_hardness_by_polonsky_and_keer() {
 
 int main(int argc, char** argv) {
   using namespace pairs;
-  return run_group(
-      "solvers.capped",
-      {{"products_are_those_of_elastic_contacts", products_are_those_of_elastic_contacts},
-       {"half_of_the_contact_at_the_hardness_by_polonsky_and_keer", half_of_the_contact_at_the_hardness_by_polonsky_and_keer}},
-      argc, argv);
+  return run_group("solvers.capped",
+                   RC_TESTS(products_are_those_of_elastic_contacts, half_of_the_contact_at_the_hardness_by_polonsky_and_keer),
+                   argc, argv);
 }

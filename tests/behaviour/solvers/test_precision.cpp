@@ -72,6 +72,5 @@ void products_agree() {
 
 int main(int argc, char** argv) {
   using namespace pairs;
-  return run_group("solvers.precision", {{"certificates_agree", certificates_agree}, {"products_agree", products_agree}}, argc,
-                   argv);
+  return run_group("solvers.precision", RC_TESTS(certificates_agree, products_agree), argc, argv);
 }

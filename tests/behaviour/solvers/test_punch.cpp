@@ -188,12 +188,7 @@ void a_time_limit_stops_it() {
 int main(int argc, char** argv) {
   using namespace pairs;
   return run_group("solvers.punch",
-                   {{"a_contact_set_has_its_steps_stiffness", a_contact_set_has_its_steps_stiffness},
-                    {"a_hardness_does_not_count", a_hardness_does_not_count},
-                    {"it_grows_with_the_set", it_grows_with_the_set},
-                    {"known_sets", known_sets},
-                    {"few_points_of_a_period_are_left_out", few_points_of_a_period_are_left_out},
-                    {"other_operators", other_operators},
-                    {"a_time_limit_stops_it", a_time_limit_stops_it}},
+                   RC_TESTS(a_contact_set_has_its_steps_stiffness, a_hardness_does_not_count, it_grows_with_the_set, known_sets,
+                            few_points_of_a_period_are_left_out, other_operators, a_time_limit_stops_it),
                    argc, argv);
 }

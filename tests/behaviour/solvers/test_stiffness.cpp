@@ -68,8 +68,6 @@ void a_stiffness_is_right_to_the_tolerance() {
 int main(int argc, char** argv) {
   using namespace pairs;
   return run_group("solvers.stiffness",
-                   {{"a_stiffness_takes_few_products", a_stiffness_takes_few_products},
-                    {"a_warm_step_stays_cheap", a_warm_step_stays_cheap},
-                    {"a_stiffness_is_right_to_the_tolerance", a_stiffness_is_right_to_the_tolerance}},
-                   argc, argv);
+                   RC_TESTS(a_stiffness_takes_few_products, a_warm_step_stays_cheap, a_stiffness_is_right_to_the_tolerance), argc,
+                   argv);
 }

@@ -226,18 +226,10 @@ void stops_are_reported() {
 
 int main(int argc, char** argv) {
   using namespace sparse_contact;
-  return pairs::run_group(
-      "sparse_contact",
-      {{"rough_surfaces", rough_surfaces},
-       {"any_shape_and_cell", any_shape_and_cell},
-       {"masked_points", masked_points},
-       {"peaks_that_no_coarse_grid_shows", peaks_that_no_coarse_grid_shows},
-       {"one_asperity", one_asperity},
-       {"dense_contact_is_left_to_transforms", dense_contact_is_left_to_transforms},
-       {"arrays_over_all_points_on_request", arrays_over_all_points_on_request},
-       {"borrowed_arrays_and_threads_do_not_change_a_bit", borrowed_arrays_and_threads_do_not_change_a_bit},
-       {"a_second_step_starts_from_the_first", a_second_step_starts_from_the_first},
-       {"further_steps_start_on_the_line_through_the_last_two", further_steps_start_on_the_line_through_the_last_two},
-       {"stops_are_reported", stops_are_reported}},
-      argc, argv);
+  return pairs::run_group("sparse_contact",
+                          RC_TESTS(rough_surfaces, any_shape_and_cell, masked_points, peaks_that_no_coarse_grid_shows,
+                                   one_asperity, dense_contact_is_left_to_transforms, arrays_over_all_points_on_request,
+                                   borrowed_arrays_and_threads_do_not_change_a_bit, a_second_step_starts_from_the_first,
+                                   further_steps_start_on_the_line_through_the_last_two, stops_are_reported),
+                          argc, argv);
 }

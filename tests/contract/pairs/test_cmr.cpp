@@ -155,14 +155,9 @@ void the_wider_reading_keeps_more_points() {
 
 int main(int argc, char** argv) {
   using namespace pairs;
-  const std::vector<Test> tests = {
-      {"every_inner_solver_serves", every_inner_solver_serves},
-      {"a_cascade_inside_a_cascade_is_refused", a_cascade_inside_a_cascade_is_refused},
-      {"a_hidden_peak_is_detected_and_found", a_hidden_peak_is_detected_and_found},
-      {"coarse_solutions_are_given_back", coarse_solutions_are_given_back},
-      {"other_solvers_leave_no_levels", other_solvers_leave_no_levels},
-      {"without_a_coarse_contact_everything_is_kept", without_a_coarse_contact_everything_is_kept},
-      {"the_wider_reading_keeps_more_points", the_wider_reading_keeps_more_points},
-  };
+  const std::vector<Test> tests =
+      RC_TESTS(every_inner_solver_serves, a_cascade_inside_a_cascade_is_refused, a_hidden_peak_is_detected_and_found,
+               coarse_solutions_are_given_back, other_solvers_leave_no_levels, without_a_coarse_contact_everything_is_kept,
+               the_wider_reading_keeps_more_points);
   return run_group("pairs.cmr", tests, argc, argv);
 }

@@ -157,16 +157,11 @@ void solvers_that_ask_for_nothing_new_see_doubles() {
 
 int main(int argc, char** argv) {
   using namespace pairs;
-  return run_group("pairs.services",
-                   {{"warm_up_that_cannot_run_is_refused", warm_up_that_cannot_run_is_refused},
-                    {"every_solver_warms_up_every_other", every_solver_warms_up_every_other},
-                    {"a_warm_up_counts_among_the_iterations", a_warm_up_counts_among_the_iterations},
-                    {"warm_up_without_load_control_is_named", warm_up_without_load_control_is_named},
-                    {"periodic_load_control_needs_no_hand_over", periodic_load_control_needs_no_hand_over},
-                    {"flat_on_flat_is_certified", flat_on_flat_is_certified},
-                    {"refused_certificate_changes_nothing", refused_certificate_changes_nothing},
-                    {"note_is_never_cut", note_is_never_cut},
-                    {"area_wider_than_the_grid_keeps_everything", area_wider_than_the_grid_keeps_everything},
-                    {"solvers_that_ask_for_nothing_new_see_doubles", solvers_that_ask_for_nothing_new_see_doubles}},
-                   argc, argv);
+  return run_group(
+      "pairs.services",
+      RC_TESTS(warm_up_that_cannot_run_is_refused, every_solver_warms_up_every_other, a_warm_up_counts_among_the_iterations,
+               warm_up_without_load_control_is_named, periodic_load_control_needs_no_hand_over, flat_on_flat_is_certified,
+               refused_certificate_changes_nothing, note_is_never_cut, area_wider_than_the_grid_keeps_everything,
+               solvers_that_ask_for_nothing_new_see_doubles),
+      argc, argv);
 }

@@ -126,13 +126,9 @@ void restart_saves_most_iterations_of_gradient_projection() {
 
 int main(int argc, char** argv) {
   using namespace failures;
-  const std::vector<pairs::Test> tests = {
-      {"unattainable_tolerance_ends_with_a_status", unattainable_tolerance_ends_with_a_status},
-      {"polonsky_keer_claims_no_more_than_it_reached", polonsky_keer_claims_no_more_than_it_reached},
-      {"exact_start_costs_two_products", exact_start_costs_two_products},
-      {"short_warm_up_costs_single_pivots_dear", short_warm_up_costs_single_pivots_dear},
-      {"penalty_of_any_size_is_never_wrong", penalty_of_any_size_is_never_wrong},
-      {"restart_saves_most_iterations_of_gradient_projection", restart_saves_most_iterations_of_gradient_projection},
-  };
+  const std::vector<pairs::Test> tests =
+      RC_TESTS(unattainable_tolerance_ends_with_a_status, polonsky_keer_claims_no_more_than_it_reached,
+               exact_start_costs_two_products, short_warm_up_costs_single_pivots_dear, penalty_of_any_size_is_never_wrong,
+               restart_saves_most_iterations_of_gradient_projection);
   return pairs::run_group("failures.methods", tests, argc, argv);
 }
