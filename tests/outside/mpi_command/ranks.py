@@ -1,4 +1,4 @@
-"""What the tests of roughcontact-mpi share: running it on a number of ranks, beside roughcontact itself."""
+"""What the tests of roughcontact-mpi share: running it on a number of ranks."""
 import os
 import subprocess
 import sys
@@ -12,24 +12,21 @@ from harness import np
 from run import ENVIRONMENT as MPI
 from test_resume import assert_same_results, said  # noqa: F401
 
-COMMAND = SERIAL = MPIEXEC = ''
+COMMAND = MPIEXEC = ''
 ENVIRONMENT = {**os.environ, **MPI, 'OMP_NUM_THREADS': '1'}
 PRESS = ['--pitch', '1e-6', '--modulus', '1e9']
 
 
 def main():
-    """Runs the test classes of the calling script with the two commands and mpirun of the command line."""
-    global COMMAND, SERIAL, MPIEXEC
-    COMMAND, SERIAL, MPIEXEC = (os.path.abspath(sys.argv.pop(1)) for _ in range(3))
+    """Runs the test classes of the calling script with the command and mpirun of the command line."""
+    global COMMAND, MPIEXEC
+    COMMAND, MPIEXEC = (os.path.abspath(sys.argv.pop(1)) for _ in range(2))
     unittest.main(module='__main__')
 
 
-def with_boundary(arguments):
-    return [*arguments] if '--boundary' in arguments else [*arguments, '--boundary', 'free']
-
-
 def on_ranks(ranks, *arguments):
-    return [MPIEXEC, '-n', str(ranks), COMMAND, *map(str, with_boundary(arguments))]
+    boundary = () if '--boundary' in arguments else ('--boundary', 'free')
+    return [MPIEXEC, '-n', str(ranks), COMMAND, *map(str, arguments), *boundary]
 
 
 def rough(ny=96, nx=64, seed=1):
@@ -41,10 +38,6 @@ class RanksTest(harness.CommandTest):
         done = subprocess.run(on_ranks(ranks, *arguments), cwd=self.folder, encoding='utf-8', capture_output=True, timeout=300, env=ENVIRONMENT)
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)
         return done
-
-    def run_serial(self, *arguments):
-        return subprocess.run([SERIAL, 'solve', *map(str, with_boundary(arguments))], cwd=self.folder, encoding='utf-8', capture_output=True, timeout=300,
-                              env={**ENVIRONMENT, 'PATH': '/nonexistent'}, check=True)
 
     def messages(self, done):
         """The lines of the command itself, without those of mpirun."""
