@@ -17,8 +17,9 @@ mkdir "$root/packages"
 cp "$packages"/*.deb "$root/packages"
 quietly inside apt-get update -qq
 
-add $(files libroughcontact0 libroughcontact-surface0 libroughcontact-formats0 libroughcontact-request0 libroughcontact-flow0 libroughcontact-mpi0 roughcontact-tools)
+add $(files libroughcontact0 libroughcontact-surface0 libroughcontact-formats0 libroughcontact-request0 libroughcontact-flow0 libroughcontact-mpi0 roughcontact-mpi roughcontact-tools)
 inside roughcontact --version
+inside roughcontact-mpi --help >/dev/null
 inside roughcontact generate spectral --output /tmp/surface.npy --size 64 --rms-slope 0.1 >/dev/null
 solve() {  # the table of steps, which names the backend
   inside rm -rf /tmp/run

@@ -92,6 +92,10 @@ rc_package(libroughcontact-mpi0 COMPONENTS mpi SECTION libs LIBRARY roughcontact
   DEPENDS libroughcontact0
   SUMMARY "certified normal contact of rough surfaces - over MPI"
   DESCRIPTION ${rc_about} "." "This package has the library for contacts that the ranks of MPI share by rows.")
+rc_package(roughcontact-mpi COMPONENTS mpi-tools SECTION science NOTICES gsl cli11 json
+  DEPENDS libroughcontact0 libroughcontact-mpi0 RECOMMENDS mpi-default-bin
+  SUMMARY "certified normal contact of rough surfaces - command over MPI"
+  DESCRIPTION ${rc_about} "." "This package has the command roughcontact-mpi, which presses one surface on the ranks of MPI.")
 rc_package(libroughcontact-flow0 COMPONENTS flow SECTION libs LIBRARY roughcontact-flow NOTICES suitesparse eigen
   DEPENDS libroughcontact0
   SUMMARY "leaks through the gaps of rough contacts - shared library"
