@@ -90,7 +90,7 @@ typedef struct rc_law_info {
   double width_area;     /* the same of the contact area; all intervals count                                         */
   double energy_error;   /* largest difference between the integral and a node's own energy, over the latter; 0 with MEAN */
   double modulus;        /* E* of a homogeneous half-space; 0: no conductance follows from the slope, see rc_result.homogeneous */
-  double hardness, area, bulk_stiffness; /* as given; the area is never 0                                             */
+  double hardness, area, bulk_stiffness; /* as given, an infinite hardness as 0; the area is never 0                   */
   double mean_gap;       /* mean of the undeformed gap, from its lowest point on, over points that are not masked     */
   double x_lower, x_upper, p_lower, p_upper; /* first node after the origin, and last node                            */
 } rc_law_info;

@@ -136,7 +136,7 @@ class LawMaker {
     law.info.solves = patch_.solves();
     law.info.bulk = patch_.bulk();
     law.info.modulus = patch_.homogeneous() ? system.modulus : 0;
-    law.info.hardness = system.hardness;
+    law.info.hardness = patch_.plastic() ? system.hardness : 0;
     law.info.area = patch_.area();
     law.info.bulk_stiffness = spec_.bulk_stiffness;
     law.info.mean_gap = patch_.mean_gap();
