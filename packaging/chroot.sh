@@ -17,9 +17,8 @@ mkdir "$root/packages"
 cp "$packages"/*.deb "$root/packages"
 quietly inside apt-get update -qq
 
-add $(files libroughcontact0 libroughcontact-surface0 libroughcontact-formats0 libroughcontact-request0 libroughcontact-flow0 libroughcontact-mpi0 roughcontact-mpi roughcontact-tools)
+add $(files libroughcontact0 libroughcontact-surface0 libroughcontact-formats0 libroughcontact-request0 libroughcontact-flow0 libroughcontact-mpi0 roughcontact-tools)
 inside roughcontact --version
-inside roughcontact-mpi --help >/dev/null
 inside roughcontact generate spectral --output /tmp/surface.npy --size 64 --rms-slope 0.1 >/dev/null
 solve() {  # the table of steps, which names the backend
   inside rm -rf /tmp/run
@@ -33,6 +32,9 @@ inside roughcontact backends
 for backend in dense fft cholmod; do
   [[ $(solve --backend $backend) == *RC_OK*",$backend,"* ]] || fail "the command on $backend: $(solve --backend $backend)"
 done
+add $(files roughcontact-mpi) openmpi-bin
+[[ $(inside env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe -n 2 roughcontact-mpi /tmp/surface.npy \
+  --pitch 1 --unit m --modulus 1 --pressure 0.005 --boundary periodic --out /tmp/run-mpi 2>&1) == *RC_OK* ]] || fail "roughcontact-mpi on two ranks"
 # The licences of the packages rest on this: the solver library links neither FFTW, SuiteSparse nor GSL.
 library=$(inside dpkg -L libroughcontact0 | grep 'libroughcontact.so.[0-9]*$')
 ! inside ldd "$library" | grep -E 'fftw|cholmod|gsl' || fail "GPL in the library"

@@ -74,6 +74,7 @@ void Columns::take(std::size_t k, const StepAnswer& answer) {
 }
 
 void Columns::need_same(const Columns& all, std::size_t first, const std::string& what) const {
+  const bool whole = std::ranges::all_of(all.wanted, [](bool each) { return each; });
   for (std::size_t k = 0; k < status.size(); ++k) {
     const std::string step = what + ", step " + std::to_string(k) + ": ";
     const auto same = [&](std::int64_t a, std::int64_t b, const char* name) {
@@ -82,12 +83,14 @@ void Columns::need_same(const Columns& all, std::size_t first, const std::string
     same(status[k], all.status[first + k], "status");
     for (std::size_t i = 0; i < reals.size(); ++i) {
       const double found = all.reals[i][first + k], expected = all.wanted[i] ? reals[i][k] : -7;
-      need(same_bits(expected, found),
+      // What else is wanted decides at which points the gap is a product already.
+      const bool rounds = i == mean_gap && !whole && std::abs(found - expected) <= 1e-13 * std::abs(reals[approach][k]);
+      need(same_bits(expected, found) || rounds,
            step + names[i] + " " + pairs::text(found) + " differs by " + pairs::text(found - expected));
     }
     same(iterations[k], all.iterations[first + k], "iterations");
     // Intervals of stiffnesses take products.
-    if (std::ranges::all_of(all.wanted, [](bool each) { return each; })) same(products[k], all.products[first + k], "products");
+    if (whole) same(products[k], all.products[first + k], "products");
   }
 }
 

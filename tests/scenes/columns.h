@@ -8,7 +8,7 @@
 namespace scenes {
 
 struct Columns {
-  static constexpr std::size_t mean_gap = 3;  // in `reals`
+  static constexpr std::size_t approach = 1, mean_gap = 3;  // in `reals`
   explicit Columns(std::size_t steps);
 
   /** Leaves out some of the columns. The stiffness is asked for with its interval, if at all. */
