@@ -142,7 +142,8 @@ class Stopped final : public Property {
     if (way == 0) set({{"max_iter", "1"}});
     if (way == 1) set({{"time_limit", "1e-9"}});
     stop_at_ = random.between(1, 4);
-    if (c.pair().solver == "gp") least_products_ = 0;  // with the norm of the matrix it reports before its first product
+    const std::string solver = c.pair().solver;
+    if (solver == "gp" || solver == "nnls") least_products_ = 0;  // by the norm of the matrix, and by factors
     if (way == 2 || way == 3)
       pairs::check(rc_contact_on_progress(contact_, way == 2 ? stops : cancels, this, 1) == RC_OK, rc_last_error());
     if (way == 4) rc_contact_cancel(contact_);
@@ -156,7 +157,7 @@ class Stopped final : public Property {
     return "";
   }
   Verdict judge(const Case& c) const override {
-    need(stopped_.status == expected_, rc_status_name(stopped_.status) + std::string(" instead of ") + rc_status_name(expected_));
+    need(stopped_.status == expected_, std::string("instead of ") + rc_status_name(expected_) + ": " + stopped_.message);
     need(stopped_.result.status == stopped_.status && !stopped_.message.empty(), "a stop without words");
     if (!c.scene().large()) judge_residuals(c, c.surface(step_), stopped_, c.scene().steps[step_].target);
     need(next_.status == RC_OK, "the step after a stop: " + next_.message);

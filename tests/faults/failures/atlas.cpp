@@ -15,11 +15,6 @@ std::vector<std::string> solvers_on(const std::string& backend, const Problem& p
   return names;
 }
 
-bool has_solver(const std::string& name) {
-  const std::vector<std::string> names = solver_names();
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 double difference(const Field& a, const Field& b) {
   double worst = 0;
   for (std::size_t i = 0; i < b.size(); ++i) worst = std::max(worst, std::abs(a[i] - b[i]));

@@ -15,7 +15,6 @@ Answer truth_of(const Problem& problem);
 
 // Every solver of the registry that runs on this backend.
 std::vector<std::string> solvers_on(const std::string& backend, const Problem& problem);
-bool has_solver(const std::string& name);
 
 // Certified and right, or a status that says it is not: never RC_OK with pressures off by more than `tolerance` of the largest.
 void check_honest(const Answer& answer, const Field& truth, double tolerance, const std::string& what);
