@@ -77,6 +77,6 @@ def documented(function: F) -> F:
     """function, with the words in its docstring."""
     if function.__doc__:
         lines = [f"{name}: {form}. {text}" for name, (form, text) in HELP.items()]
-        wrapped = [textwrap.fill(line, 124, initial_indent="    ", subsequent_indent="        ") for line in lines]
-        function.__doc__ = "\n".join([function.__doc__.rstrip(), "", *wrapped, "    "])
+        wrapped = [textwrap.fill(line, 120, subsequent_indent="    ") for line in lines]
+        function.__doc__ = "\n".join([inspect.cleandoc(function.__doc__), "", *wrapped])
     return function

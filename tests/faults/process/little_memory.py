@@ -36,7 +36,7 @@ for arguments in (
     if arguments[0] not in present | {"auto"}:
         continue
     ends = []
-    for mebibytes in [*range(8, 48, 1 if full else 5), 512]:
+    for mebibytes in [*range(8, 48, 1 if full else 5), 1024]:
         done = run(arguments, mebibytes * MIB)
         said = done.returncode == 0 or done.returncode == 1 and done.stdout
         # 127: the system's loader finds no room for the program itself, which has not begun then.

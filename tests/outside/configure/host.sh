@@ -16,7 +16,7 @@ cmake --install "$build" --prefix "$scratch/with space/prefix" >/dev/null
 targets='roughcontact::roughcontact;roughcontact::static;roughcontact::surface;roughcontact::surface_static;roughcontact::formats;roughcontact::formats_static'
 components=(-DRC_BUILD_FORMATS=ON -DRC_MODULE_BACKENDS=fft)
 # Ours, and what CMake's modules keep of the packages that these components need.
-allowed='^(RC_|_?roughcontact_|_?FETCHCONTENT_|__cmake_|(Eigen3|pugixml|GSL|LIBZIP|ZLIB|Threads|PKG_CONFIG|PkgConfig|MPI)(_|$)|pkgcfg_lib_|__pkg_config_|FIND_PACKAGE_MESSAGE_DETAILS_|CMAKE_(HAVE_LIBC_PTHREAD|THREAD_LIBS_INIT|USE_PTHREADS_INIT)=|PTHREAD_|THREADS_FOUND|PACKAGE_PREFIX_DIR|prefix_result=)'
+allowed='^(RC_|_?roughcontact_|_?FETCHCONTENT_|__cmake_|(Eigen3|pugixml|GSL|LIBZIP|ZLIB|Threads|PKG_CONFIG|PkgConfig|MPI)(_|$)|pkgcfg_lib_|__pkg_config_|FIND_PACKAGE_MESSAGE_DETAILS_|_CMAKE_Threads_|CMAKE_(HAVE_LIBC_PTHREAD|THREAD_LIBS_INIT|USE_PTHREADS_INIT)=|PTHREAD_|THREADS_FOUND|PACKAGE_PREFIX_DIR|prefix_result=)'
 
 # configure NAME HOW LIBRARY ARGUMENT...: in the folder NAME.
 configure() {
