@@ -9,6 +9,7 @@
 #include <limits>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "formats/error.h"
 #include "formats/readers.h"
@@ -41,16 +42,43 @@ class Hdf5Handle {
 class NoPlugins {
  public:
   NoPlugins() {
-    unsigned int left = 1;
-    if (H5PLget_loading_state(&before_) < 0 || H5PLset_loading_state(0) < 0 || H5PLget_loading_state(&left) < 0 || left != 0)
-      throw Error("libhdf5 cannot be kept from loading plugins");
+    try {
+      unsigned int left = 1;
+      if (H5PLget_loading_state(&before_) < 0 || H5PLset_loading_state(0) < 0 || H5PLget_loading_state(&left) < 0 || left != 0 ||
+          !forget_folders())
+        throw Error("libhdf5 cannot be kept from loading plugins");
+    } catch (...) {
+      restore();
+      throw;
+    }
   }
   NoPlugins(const NoPlugins&) = delete;
   NoPlugins& operator=(const NoPlugins&) = delete;
-  ~NoPlugins() { H5PLset_loading_state(before_); }
+  ~NoPlugins() { restore(); }
 
  private:
+  // libhdf5 1.14 tries every plugin of these folders on a file that it cannot open, whatever it may load.
+  bool forget_folders() {
+    unsigned int count = 0;
+    while (H5PLsize(&count) >= 0) {
+      if (count == 0) return true;
+      const auto length = H5PLget(0, nullptr, 0);
+      if (length < 0) return false;
+      folders_.emplace_back(static_cast<std::size_t>(length) + 1, '\0');
+      if (H5PLget(0, folders_.back().data(), folders_.back().size()) < 0 || H5PLremove(0) < 0) {
+        folders_.pop_back();
+        return false;
+      }
+    }
+    return false;
+  }
+  void restore() {
+    for (const std::string& folder : folders_) H5PLappend(folder.c_str());
+    H5PLset_loading_state(before_);
+  }
+
   unsigned int before_ = 0;
+  std::vector<std::string> folders_;
 };
 
 void hdf5_check(bool sound) {
