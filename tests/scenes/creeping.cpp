@@ -87,7 +87,7 @@ class Creeps final : public Property {
     const double size = static_cast<double>(c.h()(0, 0)) * first.result.max_pressure;
     if (!(size > 1e6 * static_cast<double>(noise(c))) || creep(HUGE_VALL) == 0 || time_[1] == time_[0]) return false;
     if (random.chance(0.2))
-      restored_.p.front() += 1e-300;
+      restored_.p.front() = std::nextafter(restored_.p.front(), HUGE_VAL);
     else if (random.chance(0.2))
       left_.back().back() += 1e-3 * size;
     else if (random.chance(0.5))
