@@ -73,14 +73,14 @@ build() {
 run_tests() {
   local log=build-$1/ctest.log ok=0 good lost=0 left
   ctest --test-dir "build-$1" --output-on-failure --no-tests=error --timeout 600 "${@:2}" >"$log" 2>&1 || ok=$?
-  good=$(grep -cE '^ *[0-9]+/[0-9]+ Test .* Passed ' "$log" || true)
-  left=$(grep -cE '^ *[0-9]+/[0-9]+ Test .*\*\*\*Skipped' "$log" || true)
+  good=$(grep -acE '^ *[0-9]+/[0-9]+ Test .* Passed ' "$log" || true)
+  left=$(grep -acE '^ *[0-9]+/[0-9]+ Test .*\*\*\*Skipped' "$log" || true)
   if [ $ok != 0 ]; then
-    lost=$(grep -E '^ *[0-9]+/[0-9]+ Test .*\*\*\*' "$log" | grep -vc '\*\*\*Skipped' || true)
+    lost=$(grep -aE '^ *[0-9]+/[0-9]+ Test .*\*\*\*' "$log" | grep -avc '\*\*\*Skipped' || true)
     [ "$lost" -gt 0 ] || lost=1
-    grep -vE '^\[ +(OK|RUN) +\]|^ *Start +[0-9]+:| Passed +[0-9.]+ sec|^Errors while' "$log" || true
+    grep -avE '^\[ +(OK|RUN) +\]|^ *Start +[0-9]+:| Passed +[0-9.]+ sec|^Errors while' "$log" || true
   else
-    grep -E '\*\*\*Skipped' "$log" || true
+    grep -aE '\*\*\*Skipped' "$log" || true
   fi
   echo "$good passed, $lost failed, $left skipped"
   passed=$((passed + good)) failed=$((failed + lost)) skipped=$((skipped + left))
