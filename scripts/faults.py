@@ -56,15 +56,20 @@ def faults():
         yield number, name, file, before, after, tests, targets[0].split() if targets else []
 
 
-def tests_of(build, pattern):
-    """Names of the tests, and the targets of those that are programs of this build, which may not be built yet."""
+def listed(build, pattern):
+    """What CTest says of the tests that run before a landing."""
     shown = subprocess.run(
         ["ctest", "--test-dir", build, "--show-only=json-v1", "-R", pattern, "-LE", "full"],
         capture_output=True,
         text=True,
         check=True,
     )
-    names = {test["name"] for test in json.loads(shown.stdout)["tests"]}
+    return json.loads(shown.stdout)["tests"]
+
+
+def tests_of(build, pattern):
+    """Names of the tests, and the targets of those that are programs of this build, which may not be built yet."""
+    names = {test["name"] for test in listed(build, pattern)}
     targets = set()
     for file in build.rglob("CTestTestfile.cmake"):
         for name, command in re.findall(r"^add_test\(\[=\[(.*?)\]=\] (.*)\)$", file.read_text(), re.M):

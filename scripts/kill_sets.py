@@ -18,7 +18,6 @@ import argparse
 import collections
 import concurrent.futures
 import contextlib
-import json
 import os
 import pathlib
 import random
@@ -75,14 +74,8 @@ class Test:
 
 def tests_of(build, pattern):
     """Those that pass without a change, the short ones first."""
-    shown = subprocess.run(
-        ["ctest", "--test-dir", build, "--show-only=json-v1", "-R", pattern, "-LE", "full"],
-        capture_output=True,
-        text=True,
-        check=True,
-    )
     found, fixtures = [], set()
-    for test in json.loads(shown.stdout)["tests"]:
+    for test in faults.listed(build, pattern):
         properties = {each["name"]: each["value"] for each in test.get("properties", [])}
         fixtures |= set(properties.get("FIXTURES_REQUIRED", []))
         seeds = ["--stop", "--seeds", faults.FIRST_SEEDS] if test["name"] == "scenes" else []

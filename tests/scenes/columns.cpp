@@ -83,7 +83,7 @@ void Columns::need_same(const Columns& all, std::size_t first, const std::string
     same(status[k], all.status[first + k], "status");
     for (std::size_t i = 0; i < reals.size(); ++i) {
       const double found = all.reals[i][first + k], expected = all.wanted[i] ? reals[i][k] : -7;
-      // What else is wanted decides at which points the gap is a product already.
+      // Other columns that are wanted decide which product computes the gap, and so its rounding.
       const bool rounds = i == mean_gap && !whole && std::abs(found - expected) <= 1e-13 * std::abs(reals[approach][k]);
       need(same_bits(expected, found) || rounds,
            step + names[i] + " " + pairs::text(found) + " differs by " + pairs::text(found - expected));

@@ -1,5 +1,5 @@
-// What a batch gives beside the bits of single contacts, which scenes ask for: starts, floats, calls of fn, and grids of the
-// start.
+// Batches: given starts, arrays of floats, calls of fn, and cold starts on coarser grids. Scenes test that a batch has the bits
+// of single contacts.
 #include <algorithm>
 #include <atomic>
 #include <cmath>

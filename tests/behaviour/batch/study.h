@@ -43,7 +43,7 @@ struct Study {
   std::size_t points() const { return problem.points(); }
   double* gap(std::int64_t i) { return gaps.data() + static_cast<std::size_t>(i) * points(); }
   double& target(std::int64_t i, std::int64_t k) { return targets[static_cast<std::size_t>(i * steps + k)]; }
-  // Of contact i.
+  // The study of contact i alone.
   Study alone(std::int64_t i) const;
   Outcome solve(int threads, const std::function<void(rc_batch&)>& change = {}) const;
 };

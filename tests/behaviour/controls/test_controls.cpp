@@ -1,5 +1,5 @@
-// What a contact pressed to a contact area does where the area or the load cannot be met as asked. That areas and mean pressures
-// are met, and leave no trace of other loads, are properties of scenes; refused targets are in the table of errors.
+// Control by contact area, if no load has that area or the load cannot be reached. Scenes test that areas and mean pressures are
+// met and leave no trace of other loads; the table of errors has the refused targets.
 #include <roughcontact/derivatives.h>
 #include <roughcontact/history.h>
 

@@ -13,7 +13,7 @@ namespace {
 
 using pairs::Field;
 
-// Of n by n cells and slopes of about a tenth, within a factor of 500 in pressure.
+// A rough patch of n by n cells, with slopes of about a tenth; its pressures span a factor of 500.
 Patch patch(std::string name, std::int32_t boundary, std::int64_t n) {
   Patch made;
   made.name = std::move(name);

@@ -25,7 +25,7 @@ struct Patch {
   rc_law_spec asked() const;
 };
 
-// Of 16 by 16 cells: "disc", free, with a mask; "hardness", periodic; "mean gap", free, with a hardness.
+// A patch of 16 by 16 cells: "disc", free, with a mask; "hardness", periodic; "mean gap", free, with a hardness.
 Patch patch_named(const std::string& name);
 // A periodic patch of n by n cells, within a factor of 500 in pressure.
 Patch usual_patch(std::int64_t n);

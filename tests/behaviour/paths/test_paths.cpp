@@ -25,7 +25,7 @@ rc_history history_of(const Problem& problem, const Field& targets) {
   return history;
 }
 
-// What a history gave, and what fn saw of each step.
+// The end of a history, and the answers that fn saw.
 struct Outcome {
   rc_status status = RC_ERR_INTERNAL;
   std::string message;
@@ -112,7 +112,7 @@ const End all_ends[] = {
      .before = stop_at_once},
 };
 
-// What was completed stays, and the contact goes on from there as one that was not interrupted.
+// Completed steps stay. The contact goes on after them with the bits of a contact that was not interrupted.
 void ends(const End& end) {
   Problem problem = rough_problem(18, 14, RC_BOUNDARY_PERIODIC, 0.5, 0.75);
   const double top = end.control == RC_CONTROL_LOAD ? solved(problem, automatic).result.load : problem.target;

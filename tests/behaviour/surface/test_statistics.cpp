@@ -34,7 +34,7 @@ Grid rough(bool periodic) {
   return grid;
 }
 
-// Of a surface that repeats; the plane that is added to one that does not changes nothing.
+// The surface repeats. A plane that is added to a surface that does not repeat changes no moment.
 void moments_are_those_of_the_definitions(void**) {
   const Grid grid = rough(true);
   const double n = static_cast<double>(grid.z.size());

@@ -21,7 +21,7 @@ std::vector<double> influences() {
   return matrix;
 }
 
-// Of one call, see judge.
+// Says what is wrong with the end of one call; "": nothing is. memory: see judge.
 std::string wrong(rc_status status, const rc_result& result, const pairs::Field& p, bool memory) {
   const std::string name = rc_status_name(status), message = rc_last_error();
   if (name == "RC_STATUS_UNKNOWN") return "status " + std::to_string(status);

@@ -33,8 +33,8 @@ Values values_of(const Option& option, const Names& names);
 
 inline constexpr const char* kinds[] = {"free", "periodic", "matrix", "product"};
 
-// A user's calls on a small system of this kind: solves and certifies in both controls. "": every call gave an answer or a
-// documented error; otherwise what is wrong. memory: running out of memory is an answer, too.
+// A user's calls on a small system of this kind: solves and certifies in both controls. Returns "" if every call gave an answer
+// or a documented error, else says what is wrong. memory: whether RC_ERR_MEMORY counts as an answer.
 std::string judge(const std::string& kind, const rc_options* options, bool memory);
 
 }  // namespace options

@@ -119,7 +119,7 @@ void area_wider_than_the_grid_keeps_everything() {
   }
 }
 
-// Of a gap of floats, also where another one warms up for it.
+// A solver that sees doubles although the gap has floats, also if another solver warms up for it.
 Field seen;
 rc_status look(const rc_host*, const rc_problem* problem, const rc_options*, double*, double*) {
   const rc_grid& grid = *problem->grid;

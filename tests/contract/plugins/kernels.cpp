@@ -31,7 +31,7 @@ void a_kernel_of_ones_own_serves_every_pair() {
   }
 }
 
-// Of a half-space whose modulus grows with depth^0 it is the usual one. Lengths are the caller's, whatever the cell.
+// The kernel of a half-space whose modulus grows with depth^0 is the usual one. Lengths are the caller's for cells of any size.
 void a_kernel_comes_from_a_file() {
   const Scratch scratch;
   const std::string file = scratch.put({"graded"});

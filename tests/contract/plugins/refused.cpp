@@ -71,7 +71,7 @@ void a_truncated_shared_object_is_refused() {
   }
 }
 
-// Of another processor, and one that needs a library that is missing.
+// A file for another processor, and a file that needs a missing library.
 void files_that_the_system_cannot_load_are_refused() {
   for (const bool foreign : {true, false}) {
     const Scratch scratch;
